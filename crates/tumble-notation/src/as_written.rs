@@ -19,7 +19,7 @@ pub fn as_written(formula: &Formula, symbol: &dyn Fn(&str) -> Math) -> Math {
             Syntax::Quantity { .. } => quantity(text(&node.span)),
             Syntax::Name(span) => symbol(text(span)),
             Syntax::Sign { minus: false, operand } => part(operand),
-            Syntax::Sign { minus: true, operand } => part(operand).as_term().negative(),
+            Syntax::Sign { minus: true, operand } => part(operand).into_term().negative(),
             Syntax::Infix(sign, left, right) => infix(*sign, part(left), part(right)),
             Syntax::Call(span, arguments) => call(text(span), arguments.iter().map(part).collect()),
             Syntax::Vector(rows) => Math::Matrix(rows.iter().map(|row| vec![part(row)]).collect()),
@@ -51,9 +51,9 @@ fn infix(sign: Sign, left: Math, right: Math) -> Math {
     match sign {
         // Brackets around a sum that is added say nothing.
         Sign::Plus => row(Operator::Plus, left, listed(right)),
-        Sign::Minus => row(Operator::Minus, left, vec![right.as_term()]),
+        Sign::Minus => row(Operator::Minus, left, vec![right.into_term()]),
         Sign::Times => {
-            let factors = |math: Math| match math.as_term() {
+            let factors = |math: Math| match math.into_term() {
                 Math::Product(factors) => factors,
                 other => vec![other],
             };
@@ -79,7 +79,7 @@ fn call(name: &str, mut arguments: Vec<Math>) -> Math {
         ("sqrt", [_]) => Math::Root(Box::new(arguments.remove(0))),
         ("abs" | "norm", [_]) => Math::Bars(Box::new(arguments.remove(0))),
         ("dot", [_, _]) => {
-            let [left, right] = [0, 1].map(|side| arguments[side].clone().as_term());
+            let [left, right] = [0, 1].map(|side| arguments[side].clone().into_term());
             Math::Row(vec![left, Math::Operator(Operator::Dot), right])
         }
         _ => Math::Call {

@@ -101,7 +101,7 @@ impl Board<'_> {
             match self.math(factor)? {
                 Math::Number(one) if one == "1" && factors.len() > 1 => {}
                 Math::Product(inner) => shown.extend(inner),
-                math => shown.push(math.as_term()),
+                math => shown.push(math.into_term()),
             }
         }
         Ok(Math::product(shown))
@@ -109,7 +109,7 @@ impl Board<'_> {
 
     fn between(&mut self, pair: &[Written; 2], operator: Operator) -> Result<Math, MathError> {
         let [left, right] = [self.math(&pair[0])?, self.math(&pair[1])?];
-        Ok(Math::Row(vec![left.as_term(), Math::Operator(operator), right.as_term()]))
+        Ok(Math::Row(vec![left.into_term(), Math::Operator(operator), right.into_term()]))
     }
 
     fn integral(&mut self, of: &Written, over: &Symbol, limits: &[Expr; 2]) -> Result<Math, MathError> {

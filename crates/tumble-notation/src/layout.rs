@@ -174,7 +174,7 @@ impl Math {
     }
 
     /// With brackets if it is a row of terms.
-    pub(crate) fn as_term(self) -> Self {
+    pub(crate) fn into_term(self) -> Self {
         if matches!(self, Self::Row(_)) { self.bracketed() } else { self }
     }
 

@@ -276,7 +276,7 @@ fn multiplied(factor: Math, symbol: Math) -> Math {
             Math::Product(factors)
         }
         Math::Number(one) if one == "1" => symbol,
-        other => Math::Product(vec![other.as_term(), symbol]),
+        other => Math::Product(vec![other.into_term(), symbol]),
     }
 }
 

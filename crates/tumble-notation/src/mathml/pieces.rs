@@ -166,7 +166,7 @@ fn raised(inside: &Math, exponent: &Math) -> Vec<Part> {
 
 /// A fraction as a factor before its numerator, or with a stroke if what is below is wide too.
 fn fraction(above: &Math, below: &Math) -> Vec<Part> {
-    let above = parts(&above.clone().as_term());
+    let above = parts(&above.clone().into_term());
     if is_wide(below) {
         let stroke = Part { shown: sign(Operator::Over), width: SPACE, begins: false };
         let mut all = above;
