@@ -156,7 +156,7 @@ impl<'a> Layout<'a> {
             return direct;
         }
         let heading = Heading::new(&figure.title, size.width);
-        let mut layout = Self::with_header((figure, size), heading, 0.0);
+        let mut layout = Self::beside((figure, size), heading, 0.0, 0.0);
         let Some(legend) = figure.legend() else { return layout };
         let inside = legend.free_place(&layout.axes.area, &layout.occupancy());
         if let Some(place) = inside {
@@ -181,12 +181,7 @@ impl<'a> Layout<'a> {
         Some(Self { ends: Some(ends), ..layout })
     }
 
-    /// The layout with `extra` pixels between the title and the marks.
-    fn with_header(sized: (&'a CurveFigure, Size), heading: Heading, extra: f64) -> Self {
-        Self::beside(sized, heading, extra, 0.0)
-    }
-
-    /// The same with room to the right of the frame.
+    /// The layout with `extra` pixels between the title and the marks, and with room to the right of the frame.
     fn beside((figure, size): (&'a CurveFigure, Size), heading: Heading, extra: f64, room: f64) -> Self {
         let (names, Size { width, height }) = ([&figure.x, &figure.y], size);
         let axes = |top| Axes::fitted(names, figure.ranges(), width - room, top, height);
@@ -207,7 +202,7 @@ impl<'a> Layout<'a> {
         let legend = legend.spread(self.axes.area.width);
         let [width, height] = legend.size();
         let at = [self.axes.area.centre()[0] - width / 2.0, self.heading.bottom()];
-        let mut layout = Self::with_header((self.figure, self.size), self.heading, height + GAP);
+        let mut layout = Self::beside((self.figure, self.size), self.heading, height + GAP, 0.0);
         layout.legend = Some((legend, at));
         layout
     }

@@ -5,9 +5,10 @@ use std::fmt::Display;
 
 use ::gif::{AnyExtension, DisposalMethod, Encoder, Extension, Frame, Repeat};
 use color_quant::NeuQuant;
+use resvg::tiny_skia::Pixmap;
 
 use crate::animation::{Animation, MovingCase};
-use crate::png::{PngError, raster};
+use crate::png::{PngError, drawn};
 
 mod frame;
 
@@ -84,11 +85,11 @@ pub fn animation_gif(animation: &Animation, case: usize, width: u32, rate: f64) 
     let none = GifError::NoMotion { case, cases: animation.cases.len() };
     let Some(scene) = animation.cases.get(case).and_then(frame::Scene::new) else { return Err(none) };
     let times = times(&animation.cases[case], animation.speed, rate)?;
-    let picture = |t: &f64| raster(&scene.svg(*t, f64::from(width)), 1.0);
+    let picture = |t: &f64| drawn(&scene.svg(*t, f64::from(width)), 1.0);
     let every = times.len().div_ceil(SAMPLED);
     let mut counts = BTreeMap::new();
     for t in times.iter().step_by(every) {
-        count(&picture(t)?.pixels, &mut counts);
+        count(picture(t)?.data(), &mut counts);
     }
     encode(&times, picture, &NeuQuant::new(EVERY, COLOURS, &weighed(&counts)), rate)
 }
@@ -121,12 +122,12 @@ fn times(motion: &MovingCase, speed: f64, rate: f64) -> Result<Vec<f64>, GifErro
 
 fn encode(
     times: &[f64],
-    picture: impl Fn(&f64) -> Result<crate::png::Raster, PngError>,
+    picture: impl Fn(&f64) -> Result<Pixmap, PngError>,
     colours: &NeuQuant,
     rate: f64,
 ) -> Result<Vec<u8>, GifError> {
     let first = picture(&times[0])?;
-    let [width, height] = [first.width as u16, first.height as u16];
+    let [width, height] = [first.width() as u16, first.height() as u16];
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, width, height, &colours.color_map_rgb()).map_err(encoding)?;
     let comment = AnyExtension(Extension::Comment as u8);
@@ -134,7 +135,7 @@ fn encode(
     encoder.set_repeat(Repeat::Infinite).map_err(encoding)?;
     let mut before: Option<Vec<u8>> = None;
     for (i, t) in times.iter().enumerate() {
-        let now = indices(colours, &picture(t)?.pixels);
+        let now = indices(colours, picture(t)?.data());
         let mut frame = changed(before.as_deref(), &now, [width, height]);
         frame.delay = delay(i, times.len(), rate);
         encoder.write_frame(&frame).map_err(encoding)?;

@@ -106,36 +106,32 @@ pub struct Pen {
 impl Outline {
     /// Greatest distance of the outline from the centre of mass, in metres.
     pub fn reach(&self) -> f64 {
-        let distance = |p: &[f64; 2]| p[0].hypot(p[1]);
+        let radius = if let Outline::Circle { radius, .. } = self { *radius } else { 0.0 };
+        self.points().into_iter().map(length).fold(0.0, f64::max) + radius
+    }
+
+    /// The points that it is given by, in the axes of the body.
+    pub fn points(&self) -> Vec<[f64; 2]> {
         match self {
-            Outline::Segment { from, to } | Outline::Cord { from, to } => distance(from).max(distance(to)),
-            Outline::Circle { centre, radius, .. } => distance(centre) + radius,
-            Outline::Polygon(corners) => corners.iter().map(distance).fold(0.0, f64::max),
-            Outline::Point(at) => distance(at),
+            Outline::Segment { from, to } | Outline::Cord { from, to } => vec![*from, *to],
+            Outline::Circle { centre, .. } => vec![*centre],
+            Outline::Polygon(corners) => corners.clone(),
+            Outline::Point(at) => vec![*at],
         }
     }
 
     /// World points that bound the outline in a pose.
     pub fn extent(&self, pose: &Pose) -> Vec<[f64; 2]> {
-        match self {
-            Outline::Segment { from, to } | Outline::Cord { from, to } => {
-                vec![pose.world(*from), pose.world(*to)]
-            }
-            Outline::Circle { centre, radius, .. } => {
-                let [x, y] = pose.world(*centre);
-                vec![[x - radius, y - radius], [x + radius, y + radius]]
-            }
-            Outline::Polygon(corners) => corners.iter().map(|p| pose.world(*p)).collect(),
-            Outline::Point(at) => vec![pose.world(*at)],
+        if let Outline::Circle { centre, radius, .. } = self {
+            let [x, y] = pose.world(*centre);
+            return vec![[x - radius, y - radius], [x + radius, y + radius]];
         }
+        self.points().into_iter().map(|p| pose.world(p)).collect()
     }
 
     /// Where something long ends, in world coordinates.
     pub(crate) fn ends(&self, pose: &Pose) -> Vec<[f64; 2]> {
-        match self {
-            Outline::Segment { .. } => self.extent(pose),
-            Outline::Circle { .. } | Outline::Cord { .. } | Outline::Polygon(_) | Outline::Point(_) => vec![],
-        }
+        if matches!(self, Outline::Segment { .. }) { self.extent(pose) } else { vec![] }
     }
 
     /// Lines (world points) that cover the outline well enough to keep labels off it.
@@ -153,10 +149,8 @@ impl Outline {
     pub(crate) fn lines(&self, pose: &Pose, plane: &impl Plane) -> Vec<Vec<[f64; 2]>> {
         let pixels: Vec<[f64; 2]> = self.spokes(pose).into_iter().map(|point| plane.pixel(point)).collect();
         let (Outline::Segment { .. }, [from, to]) = (self, &pixels[..]) else { return vec![pixels] };
-        let along = minus(*to, *from);
-        let Some(across) = unit(turned(along)) else { return vec![pixels] };
-        let half = rod_thickness(length(along)) / 2.0;
-        [half, -half].map(|side| [*from, *to].map(|end| plus(end, times(across, side))).to_vec()).to_vec()
+        let Some(sides) = rod_sides([*from, *to]) else { return vec![pixels] };
+        sides.map(Vec::from).into()
     }
 
     /// The outline on the page.
@@ -191,6 +185,14 @@ fn outlined(element: Element, pen: Pen) -> Element {
     element.stroked(pen.colour, OUTLINE)
 }
 
+/// The two sides of a rod between two points of the page; `None` if it has no length.
+pub(crate) fn rod_sides(ends: [[f64; 2]; 2]) -> Option<[[[f64; 2]; 2]; 2]> {
+    let along = minus(ends[1], ends[0]);
+    let across = unit(turned(along))?;
+    let half = rod_thickness(length(along)) / 2.0;
+    Some([half, -half].map(|side| ends.map(|end| plus(end, times(across, side)))))
+}
+
 /// Thickness of a rod `length` pixels long.
 pub(crate) fn rod_thickness(length: f64) -> f64 {
     (ROD_THICKNESS * length).clamp(THINNEST_ROD, THICKEST_ROD).min(length)
@@ -198,11 +200,11 @@ pub(crate) fn rod_thickness(length: f64) -> f64 {
 
 /// A bar with round ends that is just as long as the rod.
 fn draw_rod(a: [f64; 2], b: [f64; 2], pen: Pen) -> Vec<Element> {
-    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-    let length = dx.hypot(dy).max(f64::MIN_POSITIVE);
+    let way = minus(b, a);
+    let length = length(way).max(f64::MIN_POSITIVE);
     let thickness = rod_thickness(length);
-    let inset = [dx, dy].map(|d| d / length * thickness / 2.0);
-    let ends = ([a[0] + inset[0], a[1] + inset[1]], [b[0] - inset[0], b[1] - inset[1]]);
+    let inset = way.map(|d| d / length * thickness / 2.0);
+    let ends = (plus(a, inset), minus(b, inset));
     let bar =
         |colour: Rgb, width: f64| line(ends.0, ends.1).stroked(colour, width).attr("stroke-linecap", "round");
     let full = bar(pen.colour, thickness);

@@ -37,23 +37,8 @@ pub fn png(svg: &Svg, scale: f64) -> Result<Vec<u8>, PngError> {
     drawn(svg, scale)?.encode_png().map_err(|error| PngError::Encoding(error.to_string()))
 }
 
-/// Pixels of a drawing.
-pub(crate) struct Raster {
-    /// Width in pixels.
-    pub(crate) width: u32,
-    /// Height in pixels.
-    pub(crate) height: u32,
-    /// Red, green, blue and opacity of each, row by row.
-    pub(crate) pixels: Vec<u8>,
-}
-
 /// The pixels of a drawing that covers its page.
-pub(crate) fn raster(svg: &Svg, scale: f64) -> Result<Raster, PngError> {
-    let pixmap = drawn(svg, scale)?;
-    Ok(Raster { width: pixmap.width(), height: pixmap.height(), pixels: pixmap.take() })
-}
-
-fn drawn(svg: &Svg, scale: f64) -> Result<Pixmap, PngError> {
+pub(crate) fn drawn(svg: &Svg, scale: f64) -> Result<Pixmap, PngError> {
     let tree = Tree::from_str(&svg.to_string(), &options())?;
     let mut pixmap = pixmap(svg.width * scale, svg.height * scale)?;
     let scale = scale as f32;

@@ -45,8 +45,7 @@ impl Bar {
         let label = if WRITTEN_OUT.contains(&exponent) {
             Label::quantity(&round_decimal(mantissa, exponent), unit)
         } else {
-            let number = Label::plain(&mantissa.to_string()).then(Label::power_of_ten(exponent));
-            number.then(Label::plain("\u{a0}")).then(Label::unit(unit))
+            Label::plain(&mantissa.to_string()).then(Label::power_of_ten(exponent)).in_unit(unit)
         };
         Self { length, label }
     }

@@ -241,8 +241,8 @@ impl<'a> Scene<'a> {
     fn tag(&self, note: &Note<'_>) -> Tag {
         let size = Tag::extent(&note.label, SMALL);
         // By its ends, where it has some, and else beside its middle.
-        let ends: Vec<[f64; 2]> = note.track.shapes.iter().flat_map(|shape| shape.ends(note.pose)).collect();
-        let ends: Vec<[f64; 2]> = ends.into_iter().map(|end| self.axes.pixel(end)).collect();
+        let ends = note.track.shapes.iter().flat_map(|shape| shape.ends(note.pose));
+        let ends: Vec<[f64; 2]> = ends.map(|end| self.axes.pixel(end)).collect();
         let distance = note.track.reach() * self.axes.x.density() * LABEL_REACH + LABEL_DISTANCE;
         let centre = self.axes.pixel(note.pose.centre());
         let by_ends = ends.iter().flat_map(|end| about_point(*end, LABEL_DISTANCE, size));

@@ -90,7 +90,7 @@ impl Svg {
         let [title, description, drawing] =
             ["title", "description", "drawing"].map(|what| format!("{id}-{what}"));
         let names = [&title, &description, &drawing].map(String::as_str);
-        let labelled = self.root_named(Some(names)).attr("aria-labelledby", title.clone());
+        let labelled = self.root(Some(names)).attr("aria-labelledby", title.clone());
         let whole = match self.description.is_empty() {
             true => labelled,
             false => labelled.attr("aria-describedby", description.clone()),
@@ -102,7 +102,7 @@ impl Svg {
     }
 
     /// The root element; title, description and, where it has parts, all that is drawn get the names, if there are some.
-    fn root_named(&self, names: Option<[&str; 3]>) -> Element {
+    fn root(&self, names: Option<[&str; 3]>) -> Element {
         let named = |element: Element, i: usize| match names {
             Some(names) => element.attr("id", names[i]),
             None => element,
@@ -134,7 +134,7 @@ fn sized(area: &Rect) -> Element {
 
 impl Display for Svg {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.root_named(None).fmt(f)?;
+        self.root(None).fmt(f)?;
         f.write_char('\n')
     }
 }
@@ -302,7 +302,9 @@ impl PathData {
 
     /// A closed outline through `points`.
     pub fn polygon(points: &[[f64; 2]]) -> Self {
-        Self::polyline(points).close()
+        let mut path = Self::default();
+        path.add_polygon(points);
+        path
     }
 
     /// Starts a new piece at the first point and draws to the others.
@@ -324,12 +326,6 @@ impl PathData {
     pub fn add_polygon(&mut self, points: &[[f64; 2]]) {
         self.add_polyline(points);
         self.0.push('Z');
-    }
-
-    /// Closes the current piece with a straight line.
-    pub fn close(mut self) -> Self {
-        self.0.push('Z');
-        self
     }
 
     /// Whether nothing has been drawn.

@@ -107,23 +107,21 @@ impl Label {
     pub fn unit(unit: &str) -> Self {
         unit_parts(unit).iter().fold(Self::default(), |label, part| {
             let base = format!("{}{}", part.separator, part.name);
-            label.with(&base, Face::Regular, Level::Base).with(
-                &part.exponent,
-                Face::Regular,
-                Level::Superscript,
-            )
+            let label = label.with(&base, Face::Regular, Level::Base);
+            label.with(&part.exponent, Face::Regular, Level::Superscript)
         })
     }
 
     /// A number and its unit, for instance `0.5 s`; the number as the caller wrote it.
     pub fn quantity(number: &str, unit: &str) -> Self {
-        let number = Self::plain(&number.replace('-', MINUS));
-        if unit.is_empty() {
-            return number;
-        }
+        Self::plain(&number.replace('-', MINUS)).in_unit(unit)
+    }
+
+    /// A number with its unit; a pure number has none.
+    pub fn in_unit(self, unit: &str) -> Self {
         // Degrees stand close to the number, other units do not.
-        let space = if unit == "deg" { "" } else { "\u{a0}" };
-        number.then(Self::plain(space)).then(Self::unit(unit))
+        let space = if matches!(unit, "" | "deg") { "" } else { "\u{a0}" };
+        self.then(Self::plain(space)).then(Self::unit(unit))
     }
 
     /// `symbol = number unit`, as in a legend: `Label::equation("T", "0.5", "s")`.
@@ -210,6 +208,11 @@ impl Label {
             self.runs.pop();
         }
         true
+    }
+
+    /// The label without styles, or other words where there is none.
+    pub fn to_plain_or(&self, otherwise: &str) -> String {
+        if self.is_empty() { otherwise.to_owned() } else { self.to_plain() }
     }
 
     /// The label without styles, for tooltips and screen readers.

@@ -61,7 +61,7 @@ const PALETTE: [Rgb; PALETTE_SIZE] = [
 /// palette's have no common factor, so 42 series differ.
 const DASHES: [&str; 6] = ["", "7 3", "7 2.5 1.5 2.5", "2 2", "12 3", "7 2.5 1.5 2.5 1.5 2.5"];
 
-/// Colour, dashes and thickness of one series.
+/// Colour, dashes and thickness of a line: of one series, or of an arrow's shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineStyle {
     /// Colour of the line.
@@ -73,6 +73,10 @@ pub struct LineStyle {
 }
 
 impl LineStyle {
+    const fn new(colour: Rgb, dashes: &'static str, thickness: f64) -> Self {
+        Self { colour, dashes, thickness }
+    }
+
     /// The style of series number `index`, counted from 0.
     pub fn of(index: usize) -> Self {
         let (colour, dashes) = (PALETTE[index % PALETTE.len()], DASHES[index % DASHES.len()]);
@@ -86,42 +90,25 @@ impl LineStyle {
     }
 }
 
-/// Colour, dashes and thickness of an arrow's shaft.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ArrowStyle {
-    /// Colour of shaft and head.
-    pub colour: Rgb,
-    /// `stroke-dasharray`; empty for a full line.
-    pub dashes: &'static str,
-    /// Thickness of the shaft in pixels.
-    pub thickness: f64,
-}
-
-impl ArrowStyle {
-    const fn new(colour: Rgb, dashes: &'static str, thickness: f64) -> Self {
-        Self { colour, dashes, thickness }
-    }
-}
-
 /// Weight. Arrows take Okabe and Ito's colours in darker tones, so that thin
 /// shafts and labels are legible on white; line styles differ as well.
-pub const WEIGHT: ArrowStyle = ArrowStyle::new(Rgb(0x00, 0x5f, 0x9e), "", 2.2);
+pub const WEIGHT: LineStyle = LineStyle::new(Rgb(0x00, 0x5f, 0x9e), "", 2.2);
 /// Forces of surfaces.
-pub const CONTACT: ArrowStyle = ArrowStyle::new(Rgb(0xc4, 0x4a, 0x00), "", 3.0);
+pub const CONTACT: LineStyle = LineStyle::new(Rgb(0xc4, 0x4a, 0x00), "", 3.0);
 /// Forces of the air.
-pub const AIR: ArrowStyle = ArrowStyle::new(Rgb(0x00, 0x7d, 0x5b), "6 2.5", 2.2);
+pub const AIR: LineStyle = LineStyle::new(Rgb(0x00, 0x7d, 0x5b), "6 2.5", 2.2);
 /// Forces that somebody applies.
-pub const APPLIED: ArrowStyle = ArrowStyle::new(Rgb(0x9c, 0x3f, 0x78), "11 2.5", 2.6);
+pub const APPLIED: LineStyle = LineStyle::new(Rgb(0x9c, 0x3f, 0x78), "11 2.5", 2.6);
 /// Forces of springs.
-pub const SPRING: ArrowStyle = ArrowStyle::new(Rgb(0x54, 0x3e, 0x24), "2.5 2", 2.6);
+pub const SPRING: LineStyle = LineStyle::new(Rgb(0x54, 0x3e, 0x24), "2.5 2", 2.6);
 /// Forces of pivots and other supports.
-pub const REACTION: ArrowStyle = ArrowStyle::new(Rgb(0x1a, 0x1a, 0x1a), "", 2.2);
+pub const REACTION: LineStyle = LineStyle::new(Rgb(0x1a, 0x1a, 0x1a), "", 2.2);
 /// Sums of forces.
-pub const RESULTANT: ArrowStyle = ArrowStyle::new(Rgb(0x1a, 0x1a, 0x1a), "", 1.3);
+pub const RESULTANT: LineStyle = LineStyle::new(Rgb(0x1a, 0x1a, 0x1a), "", 1.3);
 /// Velocities.
-pub const MOTION: ArrowStyle = ArrowStyle::new(Rgb(0x5a, 0x5a, 0x5a), "", 1.2);
+pub const MOTION: LineStyle = LineStyle::new(Rgb(0x5a, 0x5a, 0x5a), "", 1.2);
 /// Arms from a centre of mass.
-pub const ARM: ArrowStyle = ArrowStyle::new(Rgb(0x1a, 0x1a, 0x1a), "", 0.9);
+pub const ARM: LineStyle = LineStyle::new(Rgb(0x1a, 0x1a, 0x1a), "", 0.9);
 /// Bodies under forces: paler than any arrow.
 pub const BODY: Rgb = Rgb(0x8d, 0x97, 0xa3);
 
@@ -182,7 +169,7 @@ mod tests {
         }
     }
 
-    const FORCES: [ArrowStyle; 6] = [WEIGHT, CONTACT, AIR, APPLIED, SPRING, REACTION];
+    const FORCES: [LineStyle; 6] = [WEIGHT, CONTACT, AIR, APPLIED, SPRING, REACTION];
 
     /// WCAG 2 asks for 3 of graphics.
     #[test]

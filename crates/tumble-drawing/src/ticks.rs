@@ -53,7 +53,11 @@ impl Ticks {
     /// Ticks for a range that is not constant, about `wanted` labelled ones and
     /// always between 3 and 10.
     pub fn new(range: Range, wanted: usize) -> Self {
-        best(decimal_steps(range), range, wanted).map_or_else(Ticks::default, |steps| steps.ticks(range))
+        let top = range.span().log10().floor() as i32;
+        let all =
+            (top - 2..=top).flat_map(|exponent| MANTISSAS.map(|choice| Steps::of(choice, exponent, range)));
+        let best = all.flatten().min_by_key(|steps| steps.count().abs_diff(wanted));
+        best.map_or_else(Ticks::default, |steps| steps.ticks(range))
     }
 
     /// Widest label in pixels at text size `size`.
@@ -62,37 +66,32 @@ impl Ticks {
     }
 }
 
-/// Ticks at the multiples `first..=last` of `numerator` times `unit`, which is ten to the `exponent`.
+/// Ticks at the multiples `first..=last` of `mantissa` times ten to the `exponent`.
 #[derive(Clone, Copy, Debug)]
 struct Steps {
-    numerator: i64,
+    mantissa: i64,
     exponent: i32,
-    unit: f64,
     minor: u32,
     first: i64,
     last: i64,
 }
 
 impl Steps {
-    fn decimal(mantissa: i64, minor: u32, exponent: i32) -> Self {
-        let unit = 10f64.powi(exponent);
-        Self { numerator: mantissa, exponent, unit, minor, first: 0, last: -1 }
+    /// Those in the range, if they are exact integers and neither few nor many.
+    fn of((mantissa, minor): (i64, u32), exponent: i32, range: Range) -> Option<Self> {
+        const EXACT: f64 = 4e15;
+        let mut steps = Self { mantissa, exponent, minor, first: 0, last: 0 };
+        let first = (range.low / steps.step() - SLACK).ceil();
+        let last = (range.high / steps.step() + SLACK).floor();
+        if first.abs().max(last.abs()) * mantissa as f64 > EXACT {
+            return None;
+        }
+        (steps.first, steps.last) = (first as i64, last as i64);
+        COUNTS.contains(&steps.count()).then_some(steps)
     }
 
     fn step(&self) -> f64 {
-        self.unit * self.numerator as f64
-    }
-
-    /// With the first and last multiple in the range, if they are exact integers.
-    fn within(mut self, range: Range) -> Option<Self> {
-        let first = (range.low / self.step() - SLACK).ceil();
-        let last = (range.high / self.step() + SLACK).floor();
-        const EXACT: f64 = 4e15;
-        if first.abs().max(last.abs()) * self.numerator as f64 > EXACT {
-            return None;
-        }
-        (self.first, self.last) = (first as i64, last as i64);
-        COUNTS.contains(&self.count()).then_some(self)
+        10f64.powi(self.exponent) * self.mantissa as f64
     }
 
     fn count(&self) -> usize {
@@ -102,10 +101,10 @@ impl Steps {
     /// The value of multiple `k`. Division by a positive power of ten is
     /// correctly rounded where multiplication by a negative one is not.
     fn value(&self, k: i64, range: Range) -> f64 {
-        let n = (k * self.numerator) as f64;
+        let n = (k * self.mantissa) as f64;
         let value = match self.exponent {
             -22..0 => n / 10f64.powi(-self.exponent),
-            _ => n * self.unit,
+            _ => n * 10f64.powi(self.exponent),
         };
         value.clamp(range.low, range.high)
     }
@@ -118,29 +117,18 @@ impl Steps {
     }
 
     fn ticks(&self, range: Range) -> Ticks {
-        let (first, last) = (self.first * self.numerator, self.last * self.numerator);
+        let (first, last) = (self.first * self.mantissa, self.last * self.mantissa);
         let offset = common_offset(first, last);
         let largest = (first - offset).abs().max((last - offset).abs());
         let factor = common_exponent(largest, self.exponent);
         let label = |n: i64| Label::plain(&decimal(n - offset, self.exponent - factor));
-        let tick = |k| Tick { value: self.value(k, range), label: label(k * self.numerator) };
+        let tick = |k| Tick { value: self.value(k, range), label: label(k * self.mantissa) };
         Ticks {
             major: (self.first..=self.last).map(tick).collect(),
             minor: self.minor_values(range),
             note: note(factor, offset, self.exponent),
         }
     }
-}
-
-/// The steps whose number of ticks comes closest to `wanted`.
-fn best(steps: impl Iterator<Item = Steps>, range: Range, wanted: usize) -> Option<Steps> {
-    steps.filter_map(|s| s.within(range)).min_by_key(|s| s.count().abs_diff(wanted))
-}
-
-fn decimal_steps(range: Range) -> impl Iterator<Item = Steps> {
-    let top = range.span().log10().floor() as i32;
-    (top - 2..=top)
-        .flat_map(|e| MANTISSAS.iter().map(move |&(mantissa, minor)| Steps::decimal(mantissa, minor, e)))
 }
 
 /// What to subtract from ticks far from zero, a round number, else 0.

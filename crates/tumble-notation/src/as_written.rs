@@ -19,7 +19,7 @@ pub fn as_written(formula: &Formula, symbol: &dyn Fn(&str) -> Math) -> Math {
             Syntax::Quantity { .. } => quantity(text(&node.span)),
             Syntax::Name(span) => symbol(text(span)),
             Syntax::Sign { minus: false, operand } => part(operand),
-            Syntax::Sign { minus: true, operand } => as_term(part(operand)).negative(),
+            Syntax::Sign { minus: true, operand } => part(operand).into_term().negative(),
             Syntax::Infix(sign, left, right) => infix(*sign, part(left), part(right)),
             Syntax::Call(span, arguments) => call(text(span), arguments.iter().map(part).collect()),
             Syntax::Vector(rows) => Math::Matrix(rows.iter().map(|row| vec![part(row)]).collect()),
@@ -43,23 +43,17 @@ fn quantity(text: &str) -> Math {
 }
 
 fn infix(sign: Sign, left: Math, right: Math) -> Math {
-    let row = |operator: Operator, left: Math, right: Math| {
-        let mut terms = if let Math::Row(terms) = left { terms } else { vec![left] };
-        terms.extend([Math::Operator(operator), right]);
-        Math::Row(terms)
+    let listed = |math: Math| if let Math::Row(terms) = math { terms } else { vec![math] };
+    let row = |operator: Operator, left: Math, right: Vec<Math>| {
+        let operator = std::iter::once(Math::Operator(operator));
+        Math::Row(listed(left).into_iter().chain(operator).chain(right).collect())
     };
     match sign {
-        Sign::Plus => {
-            let Math::Row(terms) = right else { return row(Operator::Plus, left, right) };
-            let first = terms.into_iter();
-            let mut sum = if let Math::Row(sum) = left { sum } else { vec![left] };
-            sum.push(Math::Operator(Operator::Plus));
-            sum.extend(first);
-            Math::Row(sum)
-        }
-        Sign::Minus => row(Operator::Minus, left, as_term(right)),
+        // Brackets around a sum that is added say nothing.
+        Sign::Plus => row(Operator::Plus, left, listed(right)),
+        Sign::Minus => row(Operator::Minus, left, vec![right.into_term()]),
         Sign::Times => {
-            let factors = |math: Math| match as_term(math) {
+            let factors = |math: Math| match math.into_term() {
                 Math::Product(factors) => factors,
                 other => vec![other],
             };
@@ -73,16 +67,11 @@ fn infix(sign: Sign, left: Math, right: Math) -> Math {
             Math::Identifier(_) | Math::Number(_) | Math::Bars(_) => left.raised_to(right),
             other => other.bracketed().raised_to(right),
         },
-        Sign::Less => row(Operator::Less, left, right),
-        Sign::LessEqual => row(Operator::LessEqual, left, right),
-        Sign::Greater => row(Operator::Less, right, left),
-        Sign::GreaterEqual => row(Operator::LessEqual, right, left),
+        Sign::Less => row(Operator::Less, left, vec![right]),
+        Sign::LessEqual => row(Operator::LessEqual, left, vec![right]),
+        Sign::Greater => row(Operator::Less, right, vec![left]),
+        Sign::GreaterEqual => row(Operator::LessEqual, right, vec![left]),
     }
-}
-
-/// With brackets if it is a sum.
-fn as_term(math: Math) -> Math {
-    if matches!(math, Math::Row(_)) { math.bracketed() } else { math }
 }
 
 fn call(name: &str, mut arguments: Vec<Math>) -> Math {
@@ -90,7 +79,7 @@ fn call(name: &str, mut arguments: Vec<Math>) -> Math {
         ("sqrt", [_]) => Math::Root(Box::new(arguments.remove(0))),
         ("abs" | "norm", [_]) => Math::Bars(Box::new(arguments.remove(0))),
         ("dot", [_, _]) => {
-            let [left, right] = [0, 1].map(|side| as_term(arguments[side].clone()));
+            let [left, right] = [0, 1].map(|side| arguments[side].clone().into_term());
             Math::Row(vec![left, Math::Operator(Operator::Dot), right])
         }
         _ => Math::Call {

@@ -101,8 +101,7 @@ impl Board<'_> {
             match self.math(factor)? {
                 Math::Number(one) if one == "1" && factors.len() > 1 => {}
                 Math::Product(inner) => shown.extend(inner),
-                math @ Math::Row(_) => shown.push(math.bracketed()),
-                math => shown.push(math),
+                math => shown.push(math.into_term()),
             }
         }
         Ok(Math::product(shown))
@@ -110,8 +109,7 @@ impl Board<'_> {
 
     fn between(&mut self, pair: &[Written; 2], operator: Operator) -> Result<Math, MathError> {
         let [left, right] = [self.math(&pair[0])?, self.math(&pair[1])?];
-        let alone = |math: Math| if matches!(math, Math::Row(_)) { math.bracketed() } else { math };
-        Ok(Math::Row(vec![alone(left), Math::Operator(operator), alone(right)]))
+        Ok(Math::Row(vec![left.into_term(), Math::Operator(operator), right.into_term()]))
     }
 
     fn integral(&mut self, of: &Written, over: &Symbol, limits: &[Expr; 2]) -> Result<Math, MathError> {

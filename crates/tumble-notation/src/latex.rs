@@ -1,6 +1,6 @@
 //! Mathematics as LaTeX, for Markdown.
 
-use crate::layout::{Math, Operator};
+use crate::layout::Math;
 use crate::symbol::{self, Identifier};
 
 /// Functions that LaTeX knows by name.
@@ -14,7 +14,7 @@ pub fn latex(math: &Math) -> String {
         Math::Product(factors) => factors.iter().map(latex).collect::<Vec<_>>().join(" \\, "),
         Math::Number(digits) => digits.replace('…', "\\ldots ").replace('\u{2009}', "\\,"),
         Math::Identifier(identifier) => name(identifier, &head(identifier)),
-        Math::Operator(operator) => sign(*operator).to_owned(),
+        Math::Operator(operator) => operator.latex().to_owned(),
         Math::Text(words) => format!("\\text{{{}}}", escaped(words)).replace("\\text{}", ""),
         Math::Fraction(above, below) => format!("\\frac{{{}}}{{{}}}", latex(above), latex(below)),
         Math::Power(of, exponent) => format!("{}^{{{}}}", base(of), latex(exponent)),
@@ -37,21 +37,6 @@ pub fn latex(math: &Math) -> String {
             format!("\\int_{{{from}}}^{{{to}}} {} \\, \\mathrm{{d}}{}", latex(of), latex(over))
         }
         Math::Component(of, index) => format!("{}_{{{index}}}", base(of)),
-    }
-}
-
-fn sign(operator: Operator) -> &'static str {
-    match operator {
-        Operator::Plus => " + ",
-        Operator::Minus => " - ",
-        Operator::Negative => "-",
-        Operator::Equals => " = ",
-        Operator::Less => " < ",
-        Operator::LessEqual => " \\le ",
-        Operator::Times => " \\cdot ",
-        Operator::Over => "/",
-        Operator::Cross => " \\times ",
-        Operator::Dot => " \\cdot ",
     }
 }
 

@@ -23,6 +23,32 @@ pub enum Operator {
     Dot,
 }
 
+impl Operator {
+    /// As it stands in a line of text, and in LaTeX.
+    fn signs(self) -> [&'static str; 2] {
+        match self {
+            Self::Plus => [" + ", " + "],
+            Self::Minus => [" − ", " - "],
+            Self::Negative => ["−", "-"],
+            Self::Equals => [" = ", " = "],
+            Self::Less => [" < ", " < "],
+            Self::LessEqual => [" ≤ ", " \\le "],
+            Self::Times => ["·", " \\cdot "],
+            Self::Over => ["/", "/"],
+            Self::Cross => [" × ", " \\times "],
+            Self::Dot => [" · ", " \\cdot "],
+        }
+    }
+
+    pub(crate) fn text(self) -> &'static str {
+        self.signs()[0]
+    }
+
+    pub(crate) fn latex(self) -> &'static str {
+        self.signs()[1]
+    }
+}
+
 /// A piece of mathematics.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Math {
@@ -145,6 +171,11 @@ impl Math {
 
     pub(crate) fn raised_to(self, exponent: Self) -> Self {
         Self::Power(Box::new(self), Box::new(exponent))
+    }
+
+    /// With brackets if it is a row of terms.
+    pub(crate) fn into_term(self) -> Self {
+        if matches!(self, Self::Row(_)) { self.bracketed() } else { self }
     }
 
     pub(crate) fn bracketed(self) -> Self {

@@ -108,18 +108,11 @@ fn fenced(open: &str, close: &str, content: &str, grows: bool) -> String {
 
 fn sign(operator: Operator) -> String {
     let (form, sign) = match operator {
-        Operator::Plus => ("infix", "+"),
-        Operator::Minus => ("infix", "−"),
-        Operator::Negative => ("prefix", "−"),
-        Operator::Equals => ("infix", "="),
-        Operator::Less => ("infix", "&lt;"),
-        Operator::LessEqual => ("infix", "≤"),
-        Operator::Times => ("infix", "·"),
-        Operator::Cross => ("infix", "×"),
-        Operator::Dot => ("infix", "·"),
         Operator::Over => return "<mo lspace=\"0\" rspace=\"0\" stretchy=\"false\">/</mo>".to_owned(),
+        Operator::Negative => ("prefix", operator.text()),
+        _ => ("infix", operator.text().trim()),
     };
-    format!("<mo form=\"{form}\">{sign}</mo>")
+    format!("<mo form=\"{form}\">{}</mo>", escaped(sign))
 }
 
 fn power(of: &Math, exponent: &Math) -> String {

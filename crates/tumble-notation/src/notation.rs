@@ -276,8 +276,7 @@ fn multiplied(factor: Math, symbol: Math) -> Math {
             Math::Product(factors)
         }
         Math::Number(one) if one == "1" => symbol,
-        Math::Row(_) => Math::Product(vec![factor.bracketed(), symbol]),
-        other => Math::Product(vec![other, symbol]),
+        other => Math::Product(vec![other.into_term(), symbol]),
     }
 }
 

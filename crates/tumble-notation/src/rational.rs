@@ -1,6 +1,7 @@
 //! Exact numbers: powers, roots and common divisors.
 
 use num_bigint::BigInt;
+use num_integer::{Integer, gcd};
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use tumble_expr::Exponent;
@@ -74,21 +75,20 @@ pub(crate) fn over(a: &Rational, b: &Rational) -> Rational {
 /// `a + b`.
 pub(crate) fn plus(a: &Rational, b: &Rational) -> Rational {
     let (Some((n, d)), Some((p, q))) = (short(a), short(b)) else { return a + b };
-    let shared = divisor(d, q);
+    let shared = gcd(d, q);
     let sum = i128::from(n) * i128::from(q / shared) + i128::from(p) * i128::from(d / shared);
     // What can still be cancelled divides what the denominators share.
-    let rest =
-        if shared == 1 { 1 } else { divisor((sum.unsigned_abs() % u128::from(shared)) as u64, shared) };
+    let rest = if shared == 1 { 1 } else { gcd((sum.unsigned_abs() % u128::from(shared)) as u64, shared) };
     fraction(sum / i128::from(rest), u128::from(d / shared) * u128::from(q / rest))
 }
 
 /// The greatest number of which both are integer multiples; positive.
 pub(crate) fn common_divisor(a: &Rational, b: &Rational) -> Rational {
     let (Some((n, d)), Some((p, q))) = (short(a), short(b)) else {
-        return Rational::new(gcd(a.numer() * b.denom(), b.numer() * a.denom()), a.denom() * b.denom());
+        return Rational::new((a.numer() * b.denom()).gcd(&(b.numer() * a.denom())), a.denom() * b.denom());
     };
-    let multiple = u128::from(d / divisor(d, q)) * u128::from(q);
-    let shared = divisor(n.unsigned_abs(), p.unsigned_abs());
+    let multiple = u128::from(d / gcd(d, q)) * u128::from(q);
+    let shared = gcd(n.unsigned_abs(), p.unsigned_abs());
     if shared == 0 { Rational::zero() } else { fraction(i128::from(shared), multiple) }
 }
 
@@ -99,7 +99,7 @@ fn short(value: &Rational) -> Option<(i64, u64)> {
 
 /// The product of two fractions in lowest terms.
 fn product((n, d): (i64, u64), (p, q): (i64, u64)) -> Rational {
-    let [left, right] = [divisor(n.unsigned_abs(), q), divisor(p.unsigned_abs(), d)].map(i128::from);
+    let [left, right] = [gcd(n.unsigned_abs(), q), gcd(p.unsigned_abs(), d)].map(i128::from);
     let above = (i128::from(n) / left) * (i128::from(p) / right);
     let below = (i128::from(d) / right) * (i128::from(q) / left);
     fraction(above, below.unsigned_abs())
@@ -109,22 +109,6 @@ fn product((n, d): (i64, u64), (p, q): (i64, u64)) -> Rational {
 fn fraction(numerator: i128, denominator: u128) -> Rational {
     let denominator = if numerator == 0 { 1 } else { denominator };
     Rational::new_raw(numerator.into(), denominator.into())
-}
-
-/// The greatest common divisor, that of zero and another being the other.
-fn divisor(mut a: u64, mut b: u64) -> u64 {
-    while b != 0 {
-        (a, b) = (b, a % b);
-    }
-    a
-}
-
-fn gcd(a: BigInt, b: BigInt) -> BigInt {
-    let (mut a, mut b) = (a.abs(), b.abs());
-    while !b.is_zero() {
-        (a, b) = (b.clone(), a % b);
-    }
-    a
 }
 
 /// An exponent as it is kept, unless it is out of range.
@@ -182,7 +166,7 @@ mod tests {
             prop_assert!(same(times(&a, &b), &a * &b));
             prop_assert!(same(plus(&a, &b), &a + &b));
             prop_assert!(b.is_zero() || same(over(&a, &b), &a / &b));
-            let long = gcd(a.numer() * b.denom(), b.numer() * a.denom());
+            let long = (a.numer() * b.denom()).gcd(&(b.numer() * a.denom()));
             let both_zero = a.is_zero() && b.is_zero();
             prop_assert!(both_zero || same(common_divisor(&a, &b), Rational::new(long, a.denom() * b.denom())));
         }

@@ -94,20 +94,19 @@ pub(crate) fn is_quantity(word: &str) -> bool {
     word.chars().all(char::is_alphabetic) && word.chars().count() <= LETTERS_OF_A_QUANTITY
 }
 
-fn greek(name: &str) -> &str {
+/// Greek letters with their names before them.
+fn letters() -> impl Iterator<Item = (&'static str, &'static str)> {
     let mut words = GREEK.split_whitespace();
-    while let (Some(known), Some(letter)) = (words.next(), words.next()) {
-        if known == name {
-            return letter;
-        }
-    }
-    name
+    std::iter::from_fn(move || Some((words.next()?, words.next()?)))
+}
+
+fn greek(name: &str) -> &str {
+    letters().find(|(known, _)| *known == name).map_or(name, |(_, letter)| letter)
 }
 
 /// The name of a Greek letter.
 pub(crate) fn greek_name(letter: &str) -> Option<&'static str> {
-    let words: Vec<&str> = GREEK.split_whitespace().collect();
-    words.chunks(2).find(|pair| pair[1] == letter).map(|pair| pair[0])
+    letters().find(|(_, known)| *known == letter).map(|(name, _)| name)
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ pub fn text(math: &Math) -> String {
         Math::Product(factors) => factors.iter().map(factor).collect::<Vec<_>>().join(" "),
         Math::Number(digits) | Math::Text(digits) => digits.clone(),
         Math::Identifier(identifier) => name(identifier),
-        Math::Operator(operator) => sign(*operator).to_owned(),
+        Math::Operator(operator) => operator.text().to_owned(),
         Math::Fraction(above, below) => format!("{}/{}", numerator(above), denominator(below)),
         Math::Power(of, exponent) => raised(&base(of), exponent),
         Math::Root(inside) => format!("√{}", base(inside)),
@@ -32,21 +32,6 @@ pub fn text(math: &Math) -> String {
             format!("∫_{from}^{to} {} d{}", text(of), text(over))
         }
         Math::Component(of, index) => format!("{}_{index}", base(of)),
-    }
-}
-
-fn sign(operator: Operator) -> &'static str {
-    match operator {
-        Operator::Plus => " + ",
-        Operator::Minus => " − ",
-        Operator::Negative => "−",
-        Operator::Equals => " = ",
-        Operator::Less => " < ",
-        Operator::LessEqual => " ≤ ",
-        Operator::Times => "·",
-        Operator::Over => "/",
-        Operator::Cross => " × ",
-        Operator::Dot => " · ",
     }
 }
 

@@ -365,25 +365,13 @@ fn complain(scene: &Path, error: &PipelineError) -> Ending {
 
 fn complain_of_case(scene: &Path, error: &CaseError) -> Ending {
     match error {
-        CaseError::Scene(diagnostics) => {
-            draw(diagnostics);
-            Ending::Mistake
-        }
-        CaseError::Refused(diagnostics) => {
-            draw(diagnostics);
-            Ending::Refused
-        }
-        CaseError::Model(_) | CaseError::Accuracy(_) => {
-            tell!("error: {}: {error}", shown(scene));
-            Ending::Mistake
-        }
-        CaseError::Run(_) => {
-            tell!("error: {}: {error}", shown(scene));
-            Ending::Refused
-        }
-        CaseError::Interrupted => {
-            tell!("{}: {error}", shown(scene));
-            Ending::Interrupted
-        }
+        CaseError::Scene(diagnostics) | CaseError::Refused(diagnostics) => draw(diagnostics),
+        CaseError::Interrupted => tell!("{}: {error}", shown(scene)),
+        _ => tell!("error: {}: {error}", shown(scene)),
+    }
+    match error {
+        CaseError::Scene(_) | CaseError::Model(_) | CaseError::Accuracy(_) => Ending::Mistake,
+        CaseError::Refused(_) | CaseError::Run(_) => Ending::Refused,
+        CaseError::Interrupted => Ending::Interrupted,
     }
 }

@@ -9,14 +9,12 @@ use std::sync::atomic::AtomicBool;
 
 #[cfg(feature = "png")]
 use tumble_drawing::gif;
-use tumble_report::results::{
-    Case, CaseBalance, CaseError, Finished, Located, Missing, Runs, Surveyor, Tally,
-};
+use tumble_report::results::{Case, CaseBalance, CaseError, Finished, Missing, Runs, Surveyor, Tally};
 use tumble_scene::{Diagnostics, Files, Override, Study};
 
 use crate::figure_files;
 pub use crate::outcome::{Outcome, PipelineError};
-use crate::output::Folder;
+use crate::output::{Folder, Placed};
 #[cfg(feature = "png")]
 use crate::output::{Kind, Single};
 use crate::summary::{self, Source};
@@ -76,7 +74,7 @@ pub fn run_telling(
 ) -> Result<Outcome, PipelineError> {
     let mut source = Source::read(path)?;
     let study = read(&mut source, options)?;
-    written(&source, study, &source.needed(), options, tell)
+    written(&source, &study, &source.needed(), options, tell)
 }
 
 /// Runs a study of a model that was made in Rust, and writes what a scene's run does, into a folder of that name.
@@ -113,44 +111,31 @@ pub fn run_study(study: &Study, name: &str, options: &Options) -> Result<Outcome
     if study.title.is_empty() {
         study.title = source.shown_name();
     }
-    keeping(|keep| written(&source, study, &[], options, keep))
+    keeping(|keep| written(&source, &study, &[], options, keep))
 }
 
 /// Runs a scene that is given as text, and writes what that of a file does, into a folder of that name.
 pub(crate) fn run_scene(name: &str, text: &str, options: &Options) -> Result<Outcome, PipelineError> {
     let mut source = Source::of_text(name, text);
     let study = read(&mut source, options)?;
-    written(&source, study, &[], options, |_| Ok(()))
+    written(&source, &study, &[], options, |_| Ok(()))
 }
 
 /// Makes the runs of a study and puts their results in place; no result takes the place of what was needed.
 fn written(
     source: &Source,
-    study: Study,
+    study: &Study,
     needed: &[PathBuf],
     options: &Options,
     tell: impl FnMut(Finished) -> io::Result<()> + Send,
 ) -> Result<Outcome, PipelineError> {
     let folder = Folder::begin(&options.out, &source.name, needed)?;
-    let Written { figures, tally, of_runs, missing, located, told } =
-        write(source, &study, options, &folder, tell).map_err(|error| error.placed(&study))?;
-    let placed = folder.finish()?;
-    let (folder, notes, cases) = (placed.folder, placed.notes, vec![]);
-    let report_file::Told { lead, motion } = told;
-    Ok(Outcome { folder, notes, study, figures, cases, tally, of_runs, missing, located, lead, motion })
+    let outcome = write(source, study, options, &folder, tell).map_err(|error| error.placed(study))?;
+    let Placed { folder, notes } = folder.finish()?;
+    Ok(Outcome { folder, notes, ..outcome })
 }
 
-/// Names of figures, what became of the runs that were made, and those that were not.
-struct Written {
-    figures: Vec<String>,
-    tally: Tally,
-    of_runs: Diagnostics,
-    missing: Vec<Missing>,
-    located: Vec<Located>,
-    told: report_file::Told,
-}
-
-/// Makes the runs and all that is told of them.
+/// Makes the runs and all that is told of them, in a folder that is not in its place yet.
 ///
 /// A motion is dropped as soon as its tables are written, unless something is still to be drawn or told of it, and what it
 /// came to as soon as that is told: memory does not grow with the number of runs.
@@ -160,7 +145,7 @@ fn write(
     options: &Options,
     folder: &Folder,
     mut tell: impl FnMut(Finished) -> io::Result<()> + Send,
-) -> Result<Written, PipelineError> {
+) -> Result<Outcome, PipelineError> {
     let write = |mut case: Case| {
         tables::write(study, &case, folder)?;
         if !options.no_figures {
@@ -189,18 +174,24 @@ fn write(
     let survey = surveyor.end(located);
     let runs = Runs { cases: &cases, missing: &missing, survey: &survey };
     let figures = if options.no_figures { vec![] } else { figure_files::write(study, runs, folder)? };
-    let told = report_file::write(source, study, runs, folder, options)?;
+    let (lead, motion) = report_file::write(source, study, runs, folder, options)?;
     drop(cases);
-    let located = survey.located;
-    let all = summary::All {
-        figures: &figures,
+    let (study, located, cases) = (study.clone(), survey.located, vec![]);
+    let outcome = Outcome {
+        study,
+        folder: PathBuf::new(),
+        figures,
+        cases,
         tally,
-        missing: &missing,
-        located: &located,
-        pages: RefCell::new(pages),
+        of_runs,
+        missing,
+        located,
+        lead,
+        motion,
+        notes: vec![],
     };
-    summary::write(source, study, &all, folder)?;
-    Ok(Written { figures, tally, of_runs, missing, located, told })
+    summary::write(source, &outcome, pages, folder)?;
+    Ok(outcome)
 }
 
 /// Whether anything is to be drawn or told beyond numbers.

@@ -41,24 +41,16 @@ pub struct InSite {
     pub templates: Vec<(&'static str, &'static str)>,
 }
 
-/// What others tell of a report.
-#[derive(Debug, Default)]
-pub(crate) struct Told {
-    /// Its first line: what was found.
-    pub(crate) lead: Text,
-    pub(crate) motion: Option<Animation>,
-}
-
-/// Writes the report of a study, with where it comes from.
+/// Writes the report of a study, with where it comes from. What others tell of it: what was found, and the motion.
 pub(crate) fn write(
     source: &Source,
     study: &Study,
     runs: Runs<'_>,
     folder: &Folder,
     options: &Options,
-) -> Result<Told, PipelineError> {
+) -> Result<(Text, Option<Animation>), PipelineError> {
     let (file, written): (_, fn(&Report) -> String) = match options.report {
-        Form::None => return Ok(Told::default()),
+        Form::None => return Ok(Default::default()),
         Form::Html => ("report.html", Report::html),
         Form::Markdown => ("report.md", Report::markdown),
     };
@@ -69,7 +61,7 @@ pub(crate) fn write(
     };
     let report = Report { lesson, ways, meta, lab, ..tumble_report::of(study, runs)? };
     folder.write(file, written(&report).as_bytes())?;
-    Ok(Told { lead: report.lead, motion: report.analyze.animation })
+    Ok((report.lead, report.analyze.animation))
 }
 
 /// The engine with the scene that the page plays; a study of a program has none.

@@ -15,7 +15,7 @@ pub(crate) fn all<T: Send>(
     study: &Study,
     options: &Options,
     done: impl Fn(Case) -> Result<T, PipelineError> + Sync,
-    keep: impl FnMut(T) -> Result<(), PipelineError> + Send,
+    mut keep: impl FnMut(T) -> Result<(), PipelineError> + Send,
 ) -> Result<Vec<Missing>, PipelineError> {
     let all = Combinations::of(study)?;
     let progress = Progress::new(&study.title, all.count(), options);
@@ -24,11 +24,24 @@ pub(crate) fn all<T: Send>(
         let case = Case::run(&all, index, |time, until| motion.reached(time, until))?;
         let kept = done(case)?;
         progress.finish();
-        Ok(kept)
+        Ok::<_, PipelineError>(kept)
     };
-    let mut made = Made { all: &all, keep, count: 0, missing: vec![], error: None };
-    jobs::in_order(all.count(), options.jobs, make, |index, run| made.take(index, run));
-    made.end()
+    let (mut count, mut missing, mut failed) = (0, vec![], None);
+    jobs::in_order(all.count(), options.jobs, make, |index, run| match run {
+        _ if failed.is_some() => {}
+        Some(Ok(run)) => {
+            count += 1;
+            failed = keep(run).err();
+        }
+        // One after the other it would not have been begun.
+        Some(Err(error)) if !error.is_interruption() && missing.is_empty() => failed = Some(error),
+        _ => missing.push(Missing { number: index + 1, label: all.label(index) }),
+    });
+    match failed {
+        Some(error) => Err(error),
+        None if count == 0 => Err(CaseError::Interrupted.into()),
+        None => Ok(missing),
+    }
 }
 
 /// Where the answers of a sweep are greatest and least, with more runs between those that were made; none of it where no more were
@@ -56,43 +69,5 @@ pub(crate) fn located(
         None => Ok(located),
         Some(error) if error.is_interruption() => Ok(vec![]),
         Some(error) => Err(error),
-    }
-}
-
-/// What became of the runs so far.
-struct Made<'a, F> {
-    all: &'a Combinations<'a>,
-    keep: F,
-    /// How many were made.
-    count: usize,
-    missing: Vec<Missing>,
-    error: Option<PipelineError>,
-}
-
-impl<F> Made<'_, F> {
-    fn take<T>(&mut self, index: usize, run: Option<Result<T, PipelineError>>)
-    where
-        F: FnMut(T) -> Result<(), PipelineError>,
-    {
-        match run {
-            _ if self.error.is_some() => {}
-            Some(Ok(run)) => {
-                self.count += 1;
-                self.error = (self.keep)(run).err();
-            }
-            // One after the other it would not have been begun.
-            Some(Err(error)) if !error.is_interruption() && self.missing.is_empty() => {
-                self.error = Some(error)
-            }
-            _ => self.missing.push(Missing { number: index + 1, label: self.all.label(index) }),
-        }
-    }
-
-    fn end(self) -> Result<Vec<Missing>, PipelineError> {
-        match self.error {
-            Some(error) => Err(error),
-            None if self.count == 0 => Err(CaseError::Interrupted.into()),
-            None => Ok(self.missing),
-        }
     }
 }

@@ -11,11 +11,11 @@ use std::path::{Component, Path, PathBuf};
 use serde::ser::{Error, SerializeSeq};
 use serde::{Serialize, Serializer};
 use serde_json::value::RawValue;
-use tumble_scene::{Diagnostic, Diagnostics, Study, printable};
+use tumble_scene::{Diagnostic, Diagnostics, printable};
 
 use crate::output::{Folder, Hash, Spool};
-use crate::pipeline::PipelineError;
-use tumble_report::results::{self, Located, Missing, Tally};
+use crate::pipeline::{Outcome, PipelineError};
+use tumble_report::results::{self, Missing};
 
 pub(crate) use run::page;
 
@@ -116,13 +116,13 @@ struct Summary<'a> {
     figures: &'a [String],
     #[serde(skip_serializing_if = "Vec::is_empty")]
     located: Vec<located::Entry<'a>>,
-    runs: Pages<'a>,
+    runs: Pages,
 }
 
 /// The runs, of which no two are in memory at once.
-struct Pages<'a>(&'a RefCell<Spool>);
+struct Pages(RefCell<Spool>);
 
-impl Serialize for Pages<'_> {
+impl Serialize for Pages {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut list = serializer.serialize_seq(None)?;
         let mut pages = self.0.borrow_mut();
@@ -161,20 +161,11 @@ struct Said {
     column: Option<usize>,
 }
 
-/// What all runs came to.
-pub(crate) struct All<'a> {
-    pub(crate) figures: &'a [String],
-    pub(crate) tally: Tally,
-    pub(crate) missing: &'a [Missing],
-    pub(crate) located: &'a [Located],
-    /// What each run came to, by [`page`].
-    pub(crate) pages: RefCell<Spool>,
-}
-
+/// Writes what all runs came to; the pages, by [`page`], are of each.
 pub(crate) fn write(
     source: &Source,
-    study: &Study,
-    all: &All<'_>,
+    outcome: &Outcome,
+    pages: Spool,
     folder: &Folder,
 ) -> Result<(), PipelineError> {
     let summary = Summary {
@@ -183,13 +174,13 @@ pub(crate) fn write(
         program: "tumble",
         program_version: env!("CARGO_PKG_VERSION"),
         scene_sha256: source.hash(),
-        title: &study.title,
-        complete: all.missing.is_empty() && all.tally.refused == 0,
-        interrupted: interrupted(all),
-        warnings: said(&study.warnings()),
-        figures: all.figures,
-        located: all.located.iter().map(located::entry).collect(),
-        runs: Pages(&all.pages),
+        title: &outcome.study.title,
+        complete: outcome.missing.is_empty() && outcome.tally.refused == 0,
+        interrupted: interrupted(outcome),
+        warnings: said(&outcome.study.warnings()),
+        figures: &outcome.figures,
+        located: outcome.located.iter().map(located::entry).collect(),
+        runs: Pages(RefCell::new(pages)),
     };
     let file = |mut sink: &mut dyn Write| {
         serde_json::to_writer_pretty(&mut sink, &summary).map_err(io::Error::from)?;
@@ -216,10 +207,10 @@ fn said(diagnostics: &Diagnostics) -> Vec<Said> {
     diagnostics.list.iter().map(one).collect()
 }
 
-fn interrupted<'a>(all: &All<'a>) -> Option<Interrupted<'a>> {
-    let missing = all.missing.iter();
+fn interrupted(outcome: &Outcome) -> Option<Interrupted<'_>> {
+    let missing = outcome.missing.iter();
     let not_made =
         missing.map(|Missing { number, label }| NotMade { folder: results::folder(*number), label });
     let not_made: Vec<_> = not_made.collect();
-    (!not_made.is_empty()).then_some(Interrupted { finished: all.tally.made, not_made })
+    (!not_made.is_empty()).then_some(Interrupted { finished: outcome.tally.made, not_made })
 }

@@ -2,7 +2,7 @@
 
 use crate::scale::drawable;
 use crate::text::Label;
-use crate::theme::{self, ArrowStyle};
+use crate::theme::{self, LineStyle};
 
 /// What a force comes from; each kind has its own colour and line style.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -26,7 +26,7 @@ pub enum ArrowKind {
 
 impl ArrowKind {
     /// The word for it in legends and descriptions, and colour and line style of its arrows.
-    fn looks(self) -> (&'static str, ArrowStyle) {
+    fn looks(self) -> (&'static str, LineStyle) {
         match self {
             ArrowKind::Weight => ("weight", theme::WEIGHT),
             ArrowKind::Contact => ("contact", theme::CONTACT),
@@ -44,7 +44,7 @@ impl ArrowKind {
     }
 
     /// Colour and line style of its arrows.
-    pub fn style(self) -> ArrowStyle {
+    pub fn style(self) -> LineStyle {
         self.looks().1
     }
 

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::outline::{Outline, Plane};
 use crate::text::Label;
-use crate::theme::{ArrowStyle, MOTION};
+use crate::theme::{LineStyle, MOTION};
 
 use super::body::FreeBodyDiagram;
 use super::layout::{View, angle_arms};
@@ -33,7 +33,7 @@ pub(crate) struct CircularArrow {
     pub(crate) start: f64,
     /// Angle swept, counter-clockwise as seen, in radians.
     pub(crate) sweep: f64,
-    pub(crate) style: ArrowStyle,
+    pub(crate) style: LineStyle,
     pub(crate) form: Form,
 }
 
@@ -57,7 +57,7 @@ pub(crate) fn rings(body: &FreeBodyDiagram, view: &View, strokes: &[Stroke]) -> 
     let rate = body.rate.map(|rate| (rate, MOTION, Form::Thin));
     let centre = view.pixel(body.pose.centre());
     let lines = lines(body, view, strokes);
-    let ring = |(i, (value, style, form)): (usize, (f64, ArrowStyle, Form))| {
+    let ring = |(i, (value, style, form)): (usize, (f64, LineStyle, Form))| {
         let (radius, sweep) = (RADIUS + STEP * i as f64, SWEEP * value.signum());
         let hits: Vec<f64> = lines.iter().flat_map(|line| crossings(*line, centre, radius)).collect();
         CircularArrow { centre, radius, start: clear_start(sweep, &hits), sweep, style, form }

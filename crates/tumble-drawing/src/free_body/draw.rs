@@ -1,7 +1,7 @@
 //! How arrows, marks and leaders look.
 
 use crate::svg::{Element, PathData, circle, line};
-use crate::theme::{ArrowStyle, GREY, HAIRLINE, INK, PAPER};
+use crate::theme::{GREY, HAIRLINE, INK, LineStyle, PAPER};
 
 use super::circular_arrow::CircularArrow;
 use super::strokes::{Form, Stroke};
@@ -45,11 +45,11 @@ fn full(stroke: &Stroke) -> Element {
     Element::new("g").child(head).child(shaft).children(stroke.broken.then(|| break_mark(stroke)))
 }
 
-fn shaft(points: &[Point], style: ArrowStyle) -> Element {
+fn shaft(points: &[Point], style: LineStyle) -> Element {
     PathData::polyline(points).stroke(style.colour, style.thickness).dashed(style.dashes)
 }
 
-fn head(tip: Point, forward: Point, style: ArrowStyle) -> Element {
+fn head(tip: Point, forward: Point, style: LineStyle) -> Element {
     let back = along(tip, forward, -HEAD_LENGTH);
     let side = times(turned(forward), HEAD_WIDTH);
     let notch = along(tip, forward, 1.2 - HEAD_LENGTH);
@@ -65,7 +65,7 @@ fn break_mark(stroke: &Stroke) -> Element {
 }
 
 /// The two strokes of a break about `middle`.
-pub(crate) fn bar_pair(middle: Point, forward: Point, style: ArrowStyle) -> Element {
+pub(crate) fn bar_pair(middle: Point, forward: Point, style: LineStyle) -> Element {
     let lean = plus(times(turned(forward), BREAK_HEIGHT), times(forward, -BREAK_LEAN));
     let at = [-BREAK_DISTANCE, BREAK_DISTANCE].map(|d| along(middle, forward, d));
     let ends = at.map(|p| [plus(p, lean), minus(p, lean)]);
@@ -92,11 +92,11 @@ fn thin(stroke: &Stroke) -> Element {
     thin_path(shaft, stroke.head, stroke.direction(), stroke.style)
 }
 
-fn thin_path(path: PathData, tip: Point, forward: Point, style: ArrowStyle) -> Element {
+fn thin_path(path: PathData, tip: Point, forward: Point, style: LineStyle) -> Element {
     open_head(path, tip, forward, THIN_HEAD, style)
 }
 
-fn open_head(mut path: PathData, tip: Point, forward: Point, size: [f64; 2], style: ArrowStyle) -> Element {
+fn open_head(mut path: PathData, tip: Point, forward: Point, size: [f64; 2], style: LineStyle) -> Element {
     let back = along(tip, forward, -size[0]);
     let side = times(turned(forward), size[1]);
     path.add_polyline(&[plus(back, side), tip, minus(back, side)]);
@@ -104,13 +104,13 @@ fn open_head(mut path: PathData, tip: Point, forward: Point, size: [f64; 2], sty
 }
 
 /// Small arrows along a line, with a line along their heads.
-pub(crate) fn spread(style: ArrowStyle, arrows: &[[Point; 2]]) -> Element {
+pub(crate) fn spread(style: LineStyle, arrows: &[[Point; 2]]) -> Element {
     let heads: Vec<Point> = arrows.iter().map(|[_, head]| *head).collect();
     let rim = PathData::polyline(&heads).stroke(style.colour, HAIRLINE);
     let arrow = |[tail, head]: &[Point; 2]| {
         let forward = unit(minus(*head, *tail)).filter(|_| length(minus(*head, *tail)) > SMALL_HEAD[0])?;
         let shaft = PathData::polyline(&[*tail, *head]);
-        Some(open_head(shaft, *head, forward, SMALL_HEAD, ArrowStyle { thickness: 1.0, ..style }))
+        Some(open_head(shaft, *head, forward, SMALL_HEAD, LineStyle { thickness: 1.0, ..style }))
     };
     Element::new("g").attr("class", "spread").child(rim).children(arrows.iter().filter_map(arrow))
 }
@@ -145,7 +145,7 @@ pub(crate) fn centre_mark(at: Point) -> Element {
 }
 
 /// The dot at a point of action.
-pub(crate) fn dot(at: Point, style: ArrowStyle) -> Element {
+pub(crate) fn dot(at: Point, style: LineStyle) -> Element {
     circle(at, DOT_RADIUS).attr("fill", style.colour).stroked(PAPER, HAIRLINE)
 }
 

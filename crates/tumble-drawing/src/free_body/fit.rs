@@ -2,7 +2,7 @@
 
 use super::arrow::Velocity;
 use super::body::FreeBodyDiagram;
-use super::layout::{Scales, View, body_size, bounds};
+use super::layout::{Scales, about_centre, body_size};
 use super::strokes::LEAST_LENGTH;
 
 /// Parts of the panel that a body may fill, largest first.
@@ -58,13 +58,12 @@ pub(super) fn fit(rooms: &[Room<'_>]) -> Fit {
 
 /// The greatest parts of width and height that are used, multiplied.
 fn used(rooms: &[Room<'_>], fit: &Fit) -> f64 {
-    let part = |k: usize| {
-        let parts = rooms.iter().map(|room| {
-            bounds_at(room.body, &scales(rooms, room.body, fit.density, fit.arrow))[k] / room.size[k]
-        });
-        parts.fold(0.0, f64::max)
-    };
-    part(0) * part(1)
+    let parts = rooms.iter().map(|room| {
+        let taken = about_centre(room.body, &scales(rooms, room.body, fit.density, fit.arrow));
+        [taken.width / room.size[0], taken.height / room.size[1]]
+    });
+    let [width, height] = parts.fold([0.0_f64; 2], |most, part| [0, 1].map(|k| most[k].max(part[k])));
+    width * height
 }
 
 /// Pixels per metre at which the largest body just fills its panel; `None` if no body has a size.
@@ -86,8 +85,8 @@ fn good_arrow(rooms: &[Room<'_>]) -> f64 {
 pub(super) fn longest_arrow(rooms: &[Room<'_>], density: f64) -> f64 {
     let fits = |arrow: f64| {
         rooms.iter().all(|room| {
-            let taken = bounds_at(room.body, &scales(rooms, room.body, density, arrow));
-            taken[0] <= room.size[0] && taken[1] <= room.size[1]
+            let taken = about_centre(room.body, &scales(rooms, room.body, density, arrow));
+            taken.width <= room.size[0] && taken.height <= room.size[1]
         })
     };
     let (mut low, mut high) = (0.0, good_arrow(rooms));
@@ -102,12 +101,6 @@ pub(super) fn longest_arrow(rooms: &[Room<'_>], density: f64) -> f64 {
         if fits(middle) { low = middle } else { high = middle }
     }
     low
-}
-
-fn bounds_at(body: &FreeBodyDiagram, scales: &Scales) -> [f64; 2] {
-    let view = View { centre: body.pose.centre(), at: [0.0; 2], density: scales.density };
-    let bounds = bounds(body, &view, scales);
-    [bounds.width, bounds.height]
 }
 
 /// The scales of one body if the longest arrow of its unit among `rooms` is `arrow` pixels long.

@@ -1,14 +1,13 @@
 //! Where the parts of a panel lie on the page.
 
 use crate::axes::Axes;
-use crate::outline::{Outline, Plane, rod_thickness};
+use crate::outline::{Outline, Plane, rod_sides};
 use crate::rect::Rect;
 
 use super::body::FreeBodyDiagram;
 use super::circular_arrow::rings;
 use super::strokes::{spreads, strokes};
-use super::surface::HATCH_DEPTH;
-use crate::geometry::{Point, along, direction, length, minus, plus, times, turned, unit};
+use crate::geometry::{Point, along, direction};
 
 /// A map from world coordinates to the page that keeps its digits far from the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,6 +75,12 @@ pub(crate) fn body_size(body: &FreeBodyDiagram) -> [f64; 2] {
     Rect::around(body_points(body)).map_or([0.0; 2], |r| [r.width, r.height])
 }
 
+/// What a body and its arrows take, in pixels about its centre of mass.
+pub(super) fn about_centre(body: &FreeBodyDiagram, scales: &Scales) -> Rect {
+    let view = View { centre: body.pose.centre(), at: [0.0; 2], density: scales.density };
+    bounds(body, &view, scales)
+}
+
 /// The space on the page that everything drawn in a panel needs.
 pub(crate) fn bounds(body: &FreeBodyDiagram, view: &View, scales: &Scales) -> Rect {
     let mut points: Vec<_> = body_points(body).into_iter().map(|p| view.pixel(p)).collect();
@@ -96,7 +101,7 @@ fn near_surfaces(body: &FreeBodyDiagram, view: &View) -> Vec<Point> {
     let foot = |surface: &super::surface::Ground| {
         let lowest = points.iter().min_by(|a, b| surface.height(**a).total_cmp(&surface.height(**b)))?;
         let foot = view.pixel(surface.foot(*lowest));
-        let below = along(foot, surface.page_normal(), -HATCH_DEPTH);
+        let [below] = surface.below([foot]);
         (surface.height(*lowest) <= near).then_some([foot, below])
     };
     body.surfaces.iter().filter_map(foot).flatten().collect()
@@ -124,16 +129,12 @@ pub(crate) fn faces(body: &FreeBodyDiagram, view: &View) -> Vec<Vec<Point>> {
             let centre = view.pixel(body.pose.world(*centre));
             Some(crate::geometry::arc(centre, radius * view.density, 0.0, std::f64::consts::TAU))
         }
-        Outline::Segment { from, to } => Some(rod([*from, *to].map(|p| view.pixel(body.pose.world(p))))),
+        Outline::Segment { from, to } => {
+            let ends = [*from, *to].map(|p| view.pixel(body.pose.world(p)));
+            let [[a, b], [c, d]] = rod_sides(ends).unwrap_or([ends; 2]);
+            Some(vec![a, b, d, c])
+        }
         Outline::Point(_) | Outline::Cord { .. } => None,
     };
     body.outlines.iter().filter_map(face).collect()
-}
-
-/// The rectangle that a rod takes.
-fn rod([from, to]: [Point; 2]) -> Vec<Point> {
-    let axis = minus(to, from);
-    let half = rod_thickness(length(axis)) / 2.0;
-    let side = times(turned(unit(axis).unwrap_or_default()), half);
-    vec![plus(from, side), plus(to, side), minus(to, side), minus(from, side)]
 }

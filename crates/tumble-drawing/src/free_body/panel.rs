@@ -12,10 +12,10 @@ use super::body::FreeBodyDiagram;
 use super::circular_arrow::{CircularArrow, rings};
 use super::draw;
 use super::fit::{Room, fit, scales};
-use super::layout::{Scales, View, angle_arms, bounds};
+use super::layout::{Scales, View, about_centre, angle_arms};
 use super::strokes::{Stroke, arms, spreads, strokes};
 use super::tags::Shown;
-use crate::geometry::Point;
+use crate::geometry::{Point, length, minus};
 use crate::placing::{Placed, draw_placed, placed};
 
 /// Distance between the frame of a panel and its texts.
@@ -151,7 +151,7 @@ impl Drawing {
         let outlines = self.body.outlines.iter().flat_map(|shape| shape.draw(&self.body.pose, view, pen));
         let arms = angle_arms(&self.body, view).into_iter().map(|arm| draw::dashed(&arm));
         let group = Element::new("g").children(surfaces).children(arms).children(outlines);
-        group.children(self.draw_arc()).children(self.draw_arrows()).children(self.draw_labels())
+        group.children(self.draw_arc()).children(self.draw_arrows()).children(draw_placed(&self.labels))
     }
 
     fn draw_arc(&self) -> Option<Element> {
@@ -172,23 +172,13 @@ impl Drawing {
 
     fn starts_at_centre(&self, stroke: &Stroke) -> bool {
         let centre = self.view.pixel(self.body.pose.centre());
-        crate::geometry::length(crate::geometry::minus(centre, stroke.point)) < draw::CENTRE_RADIUS
+        length(minus(centre, stroke.point)) < draw::CENTRE_RADIUS
     }
-
-    fn draw_labels(&self) -> Vec<Element> {
-        draw_placed(&self.labels)
-    }
-}
-
-/// What a body and its arrows take, in pixels about its centre of mass.
-pub(super) fn about_centre(body: &FreeBodyDiagram, scales: &Scales) -> Rect {
-    let view = View { centre: body.pose.centre(), at: [0.0; 2], density: scales.density };
-    bounds(body, &view, scales)
 }
 
 /// Where the centre of mass must be for `taken` to be in the middle of `area`.
 pub(super) fn centred_in(area: &Rect, taken: &Rect) -> Point {
-    crate::geometry::minus(area.centre(), taken.centre())
+    minus(area.centre(), taken.centre())
 }
 
 /// A panel, laid out.

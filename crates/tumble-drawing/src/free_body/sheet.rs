@@ -16,8 +16,8 @@ use super::describe::describe;
 use super::fit::{Room, scales};
 use super::grid::{Grid, rooms};
 use super::key::{Entry, Key};
-use super::layout::{Scales, View, body_size};
-use super::panel::{Drawing, INSET, Panel, Source, Trim, about_centre, centred_in, room, split};
+use super::layout::{Scales, View, about_centre, body_size};
+use super::panel::{Drawing, INSET, Panel, Source, Trim, centred_in, room, split};
 use crate::geometry::{Point, minus, plus};
 
 /// Height of a sheet without panels, in pixels.
@@ -118,7 +118,8 @@ impl<'a> Layout<'a> {
 
     fn svg(&self) -> Svg {
         let [width, height] = self.size;
-        let mut svg = Svg::on_paper(width, height, self.title()).described(self.sheet.description());
+        let title = self.sheet.shown_title().to_plain_or("Free-body diagram");
+        let mut svg = Svg::on_paper(width, height, title).described(self.sheet.description());
         svg.push(self.heading.draw());
         let framed = self.panels.len() > 1;
         svg.children.extend(self.panels.iter().map(|panel| panel.draw(framed)));
@@ -151,11 +152,6 @@ impl<'a> Layout<'a> {
         Rect::new(MARGIN, self.heading.bottom(), self.size[0] - 2.0 * MARGIN, BLANK_HEIGHT)
     }
 
-    fn title(&self) -> String {
-        let title = self.sheet.shown_title().to_plain();
-        if title.is_empty() { "Free-body diagram".to_owned() } else { title }
-    }
-
     fn groups(&self) -> Vec<Vec<Entry>> {
         let kinds = self.kinds();
         let wanted = kinds.len() >= KINDS;
@@ -163,9 +159,12 @@ impl<'a> Layout<'a> {
         vec![kinds, self.bars()]
     }
 
+    fn drawings(&self) -> impl Iterator<Item = &Drawing> {
+        self.panels.iter().flat_map(|panel| std::iter::once(&panel.main).chain(&panel.side))
+    }
+
     fn kinds(&self) -> BTreeSet<ArrowKind> {
-        let drawings = self.panels.iter().flat_map(|panel| std::iter::once(&panel.main).chain(&panel.side));
-        let bodies = drawings.map(|drawing| &drawing.body);
+        let bodies = self.drawings().map(|drawing| &drawing.body);
         bodies
             .flat_map(|body| {
                 let arrows = body.forces.iter().chain(&body.resultant).map(|force| force.kind);
@@ -196,12 +195,10 @@ impl<'a> Layout<'a> {
 
     fn captions(&self) -> Vec<Label> {
         let mut captions = self.sheet.captions.clone();
-        let drawings =
-            || self.panels.iter().flat_map(|panel| std::iter::once(&panel.main).chain(&panel.side));
-        if drawings().any(|drawing| drawing.strokes.iter().any(|stroke| stroke.broken)) {
+        if self.drawings().any(|drawing| drawing.strokes.iter().any(|stroke| stroke.broken)) {
             captions.push(Label::plain("An arrow with a break (//) is drawn longer than its scale."));
         }
-        if drawings().any(|drawing| !drawing.rings.is_empty()) {
+        if self.drawings().any(|drawing| !drawing.rings.is_empty()) {
             captions.push(Label::plain("Circular arrows are not to scale."));
         }
         captions

@@ -2,7 +2,7 @@
 
 use crate::outline::Plane;
 use crate::text::Label;
-use crate::theme::{ARM, ArrowStyle, MOTION};
+use crate::theme::{ARM, LineStyle, MOTION};
 
 use super::arrow::{Arrow, ArrowKind, DistributedForce, Velocity};
 use super::body::{FreeBodyDiagram, NamedPoint};
@@ -44,14 +44,19 @@ pub(crate) struct Stroke {
     pub(crate) point: Point,
     /// Whether it is longer than to scale.
     pub(crate) broken: bool,
-    pub(crate) style: ArrowStyle,
+    pub(crate) style: LineStyle,
     pub(crate) form: Form,
 }
 
 impl Stroke {
     /// From its point of action, to scale.
-    pub(crate) fn new([tail, head]: [Point; 2], style: ArrowStyle, form: Form) -> Self {
+    pub(crate) fn new([tail, head]: [Point; 2], style: LineStyle, form: Form) -> Self {
         Self { tail, head, start: tail, point: tail, broken: false, style, form }
+    }
+
+    /// The point at some part of its length.
+    pub(crate) fn at(&self, part: f64) -> Point {
+        plus(self.tail, times(minus(self.head, self.tail), part))
     }
 
     pub(crate) fn direction(&self) -> Point {
@@ -124,7 +129,7 @@ pub(crate) fn arms(body: &FreeBodyDiagram, view: &View) -> Vec<(Stroke, Label)> 
 }
 
 /// Arrows of forces along a line, tail and head, with what comes from where.
-pub(crate) fn spreads(body: &FreeBodyDiagram, view: &View) -> Vec<(ArrowStyle, Vec<[Point; 2]>)> {
+pub(crate) fn spreads(body: &FreeBodyDiagram, view: &View) -> Vec<(LineStyle, Vec<[Point; 2]>)> {
     let spread = |spread: &DistributedForce| {
         let largest = spread.largest();
         let arrow = |[point, force]: &[Point; 2]| {
@@ -147,7 +152,6 @@ pub(crate) fn stroke_labels(body: &FreeBodyDiagram) -> Vec<Label> {
 /// `symbol = value unit`; without a symbol the value alone.
 pub(crate) fn equation(symbol: &Label, value: f64, unit: &str) -> Label {
     // Rounded text passes through unchanged: powers of ten keep their raised exponent.
-    let space = if unit == "deg" { "" } else { "\u{a0}" };
-    let quantity = Label::number(value, DIGITS).then(Label::plain(space)).then(Label::unit(unit));
+    let quantity = Label::number(value, DIGITS).in_unit(unit);
     if symbol.is_empty() { quantity } else { symbol.clone().then(Label::plain(" = ")).then(quantity) }
 }

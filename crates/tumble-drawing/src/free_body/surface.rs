@@ -147,6 +147,11 @@ impl Ground {
         [x, -y]
     }
 
+    /// Where points of the page at the surface come to at the depth of its hatching.
+    pub(crate) fn below<const N: usize>(&self, points: [Point; N]) -> [Point; N] {
+        points.map(|p| along(p, self.page_normal(), -HATCH_DEPTH))
+    }
+
     /// The visible part of the surface in `area`, on the page; of a circle, where its name stands.
     pub(crate) fn visible(&self, view: &View, area: &Rect) -> Option<[Point; 2]> {
         if self.round.is_some() {

@@ -11,9 +11,8 @@ use super::circular_arrow::{CircularArrow, ring_labels};
 use super::draw::{CENTRE_RADIUS, HEAD_WIDTH};
 use super::layout::{ARC_RADIUS, View, angle_arms, angle_vertex, faces};
 use super::strokes::{Stroke, arms, equation, spreads, stroke_labels};
-use super::surface::HATCH_DEPTH;
-use crate::geometry::{Point, along, arc, corners, minus, plus, times, unit};
-use crate::placing::{Tag, about_arc, about_arrow};
+use crate::geometry::{Point, along, arc, corners, minus, unit};
+use crate::placing::{Candidate, Tag, about_arc, about_arrow, about_line};
 
 /// Leaders point at an arrow beyond this part of it: near tails many arrows may meet.
 const LEADER_PART: f64 = 0.4;
@@ -45,19 +44,25 @@ impl Shown<'_> {
         tags
     }
 
-    fn tag(&self, label: &Label, colour: Rgb, owner: Vec<Point>, far: Option<f64>) -> Tag {
+    fn tag(
+        &self,
+        label: &Label,
+        colour: Rgb,
+        owner: Vec<Point>,
+        near: impl Fn([f64; 2]) -> Vec<Candidate>,
+    ) -> Tag {
         let label = label.fitted(self.size, LONGEST * self.area.width);
-        Tag { size: self.size, far, ..Tag::new(label, colour, owner, Vec::new()) }
+        let near = near(Tag::extent(&label, self.size));
+        Tag { size: self.size, far: Some(0.0), ..Tag::new(label, colour, owner, near) }
     }
 
     fn arrow_tags(&self) -> Vec<Tag> {
         let labels = stroke_labels(self.body);
         let tag = |(stroke, label): (&Stroke, Label)| {
             let ends = [stroke.tail, stroke.head];
-            let mut tag = self.tag(&label, stroke.style.colour, ends.to_vec(), Some(0.0));
-            tag.owner[0] = plus(stroke.tail, times(minus(stroke.head, stroke.tail), LEADER_PART));
-            tag.near = about_arrow(ends, Tag::extent(&tag.label, self.size));
-            tag
+            let owner = vec![stroke.at(LEADER_PART), stroke.head];
+            let near = |size| about_arrow(ends, size);
+            Tag { owner, ..self.tag(&label, stroke.style.colour, ends.to_vec(), near) }
         };
         self.strokes.iter().zip(labels).map(tag).collect()
     }
@@ -66,11 +71,8 @@ impl Shown<'_> {
     fn arm_tags(&self) -> Vec<Tag> {
         let tag = |(arm, label): (Stroke, Label)| {
             let ends = [arm.tail, arm.head];
-            let mut tag = self.tag(&label, INK, ends.to_vec(), Some(0.0));
-            let along = |part: f64| plus(arm.tail, times(minus(arm.head, arm.tail), part));
-            tag.owner = ARM_PARTS.map(along).to_vec();
-            tag.near = about_arrow(ends, Tag::extent(&tag.label, self.size));
-            tag
+            let owner = ARM_PARTS.map(|part| arm.at(part)).to_vec();
+            Tag { owner, ..self.tag(&label, INK, ends.to_vec(), |size| about_arrow(ends, size)) }
         };
         arms(self.body, self.view).into_iter().map(tag).collect()
     }
@@ -79,9 +81,8 @@ impl Shown<'_> {
         let labels = ring_labels(self.body);
         let tag = |(ring, label): (&CircularArrow, Label)| {
             let points = ring.points();
-            let mut tag = self.tag(&label, ring.style.colour, points.clone(), Some(0.0));
-            tag.near = about_arc(ring.centre, &points, Tag::extent(&tag.label, self.size));
-            tag
+            let near = |size| about_arc(ring.centre, &points, size);
+            self.tag(&label, ring.style.colour, points.clone(), near)
         };
         self.rings.iter().zip(labels).map(tag).collect()
     }
@@ -91,9 +92,7 @@ impl Shown<'_> {
         let vertex = angle_vertex(self.body, self.view)?;
         let points = self.angle_arc()?;
         let label = equation(&angle.symbol, angle.value.to_degrees(), "deg");
-        let mut tag = self.tag(&label, INK, points.clone(), Some(0.0));
-        tag.near = about_arc(vertex, &points, Tag::extent(&tag.label, self.size));
-        Some(tag)
+        Some(self.tag(&label, INK, points.clone(), |size| about_arc(vertex, &points, size)))
     }
 
     /// The arc of the marked angle.
@@ -106,14 +105,12 @@ impl Shown<'_> {
     fn surface_tags(&self) -> impl Iterator<Item = Tag> {
         self.body.surfaces.iter().filter_map(|surface| {
             let line = surface.visible(self.view, self.area)?;
-            let mut tag = self.tag(&surface.name, INK, line.to_vec(), None);
-            let depth = times(surface.page_normal(), -HATCH_DEPTH);
-            let below = line.map(|p| along(p, depth, 1.0));
-            let size = Tag::extent(&tag.label, self.size);
-            tag.near = about_arrow(below, size);
-            tag.near.extend(about_arrow([below[1], below[0]], size));
-            tag.near.retain(|candidate| self.area.encloses(&candidate.place));
-            Some(tag)
+            let near = |size| {
+                let mut near = about_line(surface.below(line), size);
+                near.retain(|candidate| self.area.encloses(&candidate.place));
+                near
+            };
+            Some(Tag { far: None, ..self.tag(&surface.name, INK, line.to_vec(), near) })
         })
     }
 

@@ -84,7 +84,7 @@ fn the_last_frame_is_the_end_of_the_motion() {
     let animation = pendulum();
     let shown = composed(&animation_gif(&animation, 0, 160, 10.0).expect("an animation"));
     let scene = frame::Scene::new(&animation.cases[0]).expect("a scene");
-    let wanted = raster(&scene.svg(2.0, 160.0), 1.0).expect("a picture").pixels;
+    let wanted = drawn(&scene.svg(2.0, 160.0), 1.0).expect("a picture").take();
     let wanted = wanted.chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]);
     let differs = |(a, b): (&u8, u8)| a.abs_diff(b);
     assert_eq!(shown[..3], [u8::MAX; 3], "the white of the page stays");

@@ -37,6 +37,11 @@ pub(crate) fn about_arrow([tail, head]: [Point; 2], size: [f64; 2]) -> Vec<Candi
     candidates
 }
 
+/// Places about both ends and on both sides of a line.
+pub(crate) fn about_line([from, to]: [Point; 2], size: [f64; 2]) -> Vec<Candidate> {
+    [[from, to], [to, from]].into_iter().flat_map(|arrow| about_arrow(arrow, size)).collect()
+}
+
 /// Places on both sides of a line.
 pub(crate) fn beside_shaft([tail, head]: [Point; 2], size: [f64; 2]) -> Vec<Candidate> {
     let Some(forward) = unit(minus(head, tail)) else { return vec![] };

@@ -4,6 +4,6 @@ mod candidates;
 mod labels;
 mod occupancy;
 
-pub(crate) use candidates::{Candidate, about_arc, about_arrow, about_point, beside_shaft};
+pub(crate) use candidates::{Candidate, about_arc, about_arrow, about_line, about_point, beside_shaft};
 pub(crate) use labels::{Placed, Tag, draw_placed, placed};
 pub(crate) use occupancy::{Occupancy, beside};

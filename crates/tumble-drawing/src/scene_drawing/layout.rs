@@ -54,8 +54,7 @@ impl Layout {
 
     pub(super) fn svg(&self, description: String) -> Svg {
         let [width, height] = self.axes.end();
-        let title = self.scene.title.to_plain();
-        let title = if title.is_empty() { "The scene".to_owned() } else { title };
+        let title = self.scene.title.to_plain_or("The scene");
         let mut svg = Svg::on_paper(width, height, title).described(description);
         svg.push(self.heading.draw());
         svg.push(clipped(self.axes.area, self.contents()));

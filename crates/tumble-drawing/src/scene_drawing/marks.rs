@@ -9,7 +9,7 @@ use crate::rect::Rect;
 use crate::scene_drawing::LinkKind;
 use crate::svg::{Element, PathData, circle};
 use crate::text::{Label, PlacedText};
-use crate::theme::{AIR, ArrowStyle, GREY, HAIRLINE, INK, PAPER, SMALL, WEIGHT};
+use crate::theme::{AIR, GREY, HAIRLINE, INK, LineStyle, PAPER, SMALL, WEIGHT};
 
 /// Half the width and the height of a pivot's triangle, in pixels.
 const PIVOT: [f64; 2] = [9.0, 13.0];
@@ -90,7 +90,7 @@ pub(super) fn fields(scene: &SceneDrawing, area: &Rect, drawn: &mut Occupancy) -
 fn field(
     vector: Point,
     label: &Label,
-    style: ArrowStyle,
+    style: LineStyle,
     count: usize,
     area: &Rect,
     drawn: &mut Occupancy,
@@ -109,16 +109,13 @@ fn field(
     };
     let place = free_place(size, area, drawn);
     drawn.add_box(place);
-    let centre = if upright {
-        [place.x + arrows[0] / 2.0, place.centre()[1]]
+    let [x, y] = place.centre();
+    let (centre, corner) = if upright {
+        ([place.x + arrows[0] / 2.0, y], [place.right() - text[0], y - text[1] / 2.0])
     } else {
-        [place.centre()[0], place.y + arrows[1] / 2.0]
+        ([x, place.y + arrows[1] / 2.0], [x - text[0] / 2.0, place.bottom() - text[1]])
     };
-    let label_place = if upright {
-        Rect::new(place.right() - text[0], place.centre()[1] - text[1] / 2.0, text[0], text[1])
-    } else {
-        Rect::new(place.centre()[0] - text[0] / 2.0, place.bottom() - text[1], text[0], text[1])
-    };
+    let label_place = Rect::new(corner[0], corner[1], text[0], text[1]);
     let stroke = |i: usize| {
         let off = WIND_STEP * (i as f64 - (count as f64 - 1.0) / 2.0);
         let middle = along(centre, turned(forward), off);
@@ -128,7 +125,7 @@ fn field(
     Some(Element::new("g").children((0..count).map(stroke)).child(name))
 }
 
-fn arrow(middle: Point, forward: Point, style: ArrowStyle) -> Element {
+fn arrow(middle: Point, forward: Point, style: LineStyle) -> Element {
     let ends = [-0.5, 0.5].map(|part| along(middle, forward, part * FIELD));
     draw::arrow(&Stroke::new(ends, style, Form::Full))
 }

@@ -1,10 +1,9 @@
 //! Which labels a scene has, and where they may stand.
 
 use super::layout::Layout;
-use crate::free_body::surface::HATCH_DEPTH;
-use crate::geometry::{Point, along, times};
+use crate::geometry::{Point, times};
 use crate::outline::Plane;
-use crate::placing::{Candidate, Tag, about_arc, about_arrow, about_point, beside, beside_shaft};
+use crate::placing::{Candidate, Tag, about_arc, about_arrow, about_line, about_point, beside, beside_shaft};
 use crate::rect::Rect;
 use crate::text::Label;
 use crate::theme::{INK, MOTION, Rgb, SMALL};
@@ -99,11 +98,7 @@ fn about_body(at: Point, frame: &Rect, [width, height]: [f64; 2]) -> Vec<Candida
 fn surfaces(layout: &Layout) -> Vec<Tag> {
     let surface = |surface: &crate::free_body::Ground| {
         let line = surface.visible(&layout.view, &layout.axes.area)?;
-        let below = line.map(|p| along(p, surface.page_normal(), -HATCH_DEPTH));
-        let near = |size| {
-            let there = about_arrow(below, size);
-            there.into_iter().chain(about_arrow([below[1], below[0]], size)).collect()
-        };
+        let near = |size| about_line(surface.below(line), size);
         Some(tag(layout, &surface.name, INK, line.to_vec(), near))
     };
     layout.scene.surfaces.iter().filter_map(surface).collect()

@@ -17,29 +17,29 @@ impl Algebra {
             Form::Number(value) => self.number(value.abs()),
             Form::Product(by, factors) => self.abs_of_product(&by, &factors),
             Form::Sum(_) => self.abs_of_sum(id),
-            _ => self.intern(Form::Call(Function::Unary(Unary::Abs), vec![id])),
+            _ => self.call(Unary::Abs, id),
         }
     }
 
     fn abs_of_product(&mut self, by: &Rational, factors: &[Factor]) -> Id {
-        let mut absolute = vec![];
-        for (id, exponent) in factors {
-            let plain = rational::is_even(exponent) || !exponent.is_integer();
-            let part = if plain { *id } else { self.abs(*id) };
-            absolute.push((part, *exponent));
-        }
+        let absolute = self.abs_of_factors(factors);
         self.raw_product(by.abs(), &absolute)
     }
 
     fn abs_of_sum(&mut self, id: Id) -> Id {
         let (content, shared, primitive) = self.primitive(id);
-        let bars = self.intern(Form::Call(Function::Unary(Unary::Abs), vec![primitive]));
+        let bars = self.call(Unary::Abs, primitive);
         let mut factors = vec![(bars, Exponent::one())];
-        for (part, exponent) in shared {
-            let plain = rational::is_even(&exponent) || !exponent.is_integer();
-            factors.push((if plain { part } else { self.abs(part) }, exponent));
-        }
+        factors.extend(self.abs_of_factors(&shared));
         self.product(content.abs(), &factors)
+    }
+
+    fn abs_of_factors(&mut self, factors: &[Factor]) -> Vec<Factor> {
+        let absolute = |(id, exponent): &Factor| {
+            let plain = rational::is_even(exponent) || !exponent.is_integer();
+            (if plain { *id } else { self.abs(*id) }, *exponent)
+        };
+        factors.iter().map(absolute).collect()
     }
 
     /// Length of a vector: one component's absolute value; what all components share stands before it.

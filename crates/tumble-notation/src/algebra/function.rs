@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use num_traits::{One, Signed, Zero};
-use tumble_expr::{Binary, Exponent, Relation, TableRef, Unary};
+use tumble_expr::{Binary, Exponent, Relation, Unary};
 
 use super::{Algebra, Form, Function, Id};
 use crate::rational::{self, Rational};
@@ -63,7 +63,7 @@ impl Algebra {
     fn plain(&mut self, op: Unary, a: Id) -> Id {
         match self.as_number(a).and_then(|value| at_number(op, value)) {
             Some(value) => self.number(value),
-            None => self.intern(Form::Call(Function::Unary(op), vec![a])),
+            None => self.call(op, a),
         }
     }
 
@@ -107,10 +107,6 @@ impl Algebra {
         }
     }
 
-    pub(crate) fn compare(&mut self, relation: Relation, a: Id, b: Id) -> Id {
-        self.intern(Form::Call(Function::Compare(relation), vec![a, b]))
-    }
-
     pub(crate) fn select(&mut self, condition: Id, a: Id, b: Id) -> Id {
         if a == b {
             return a;
@@ -130,10 +126,6 @@ impl Algebra {
             Relation::Less => order.is_lt(),
             Relation::LessEqual => order.is_le(),
         })
-    }
-
-    pub(crate) fn table(&mut self, table: &TableRef, a: Id) -> Id {
-        self.intern(Form::Call(Function::Table(table.clone()), vec![a]))
     }
 }
 

@@ -74,13 +74,15 @@ impl Algebra {
             }),
             Node::Unary(op, a) => self.unary(*op, id(a)),
             Node::Binary(op, a, b) => self.binary(*op, id(a), id(b)),
-            Node::Compare(relation, a, b) => self.compare(*relation, id(a), id(b)),
+            Node::Compare(relation, a, b) => {
+                self.intern(Form::Call(Function::Compare(*relation), vec![id(a), id(b)]))
+            }
             Node::Select(a, b, c) => self.select(id(a), id(b), id(c)),
             Node::Norm(parts) => {
                 let parts: Vec<Id> = parts.iter().map(id).collect();
                 self.norm(&parts)
             }
-            Node::Table(table, a) => self.table(table, id(a)),
+            Node::Table(table, a) => self.intern(Form::Call(Function::Table(table.clone()), vec![id(a)])),
             Node::System(shape, parts) => {
                 let parts: Vec<Id> = parts.iter().map(id).collect();
                 let (entries, right) = parts.split_at(shape.entries());

@@ -85,6 +85,17 @@ pub(crate) struct Leaf {
 
 /// By numerators and denominators, which have no common divisor here: the hash of a ratio itself divides them out once more,
 /// which takes longer than all else that is done with a form.
+impl Form {
+    fn parts(&self) -> Vec<Id> {
+        match self {
+            Self::Sum(terms) => terms.iter().map(|(part, _)| *part).collect(),
+            Self::Product(_, factors) => factors.iter().map(|(part, _)| *part).collect(),
+            Self::Call(_, parts) => parts.clone(),
+            Self::Number(_) | Self::Pi | Self::Unit(_) | Self::Symbol(_) => vec![],
+        }
+    }
+}
+
 impl Hash for Form {
     fn hash<H: Hasher>(&self, state: &mut H) {
         let number = |by: &Rational, state: &mut H| (by.numer(), by.denom()).hash(state);
@@ -211,12 +222,7 @@ impl Algebra {
 
     /// The parts that a form is made of.
     pub(crate) fn parts(&self, id: Id) -> Vec<Id> {
-        match self.form(id) {
-            Form::Sum(terms) => terms.iter().map(|(part, _)| *part).collect(),
-            Form::Product(_, factors) => factors.iter().map(|(part, _)| *part).collect(),
-            Form::Call(_, parts) => parts.clone(),
-            Form::Number(_) | Form::Pi | Form::Unit(_) | Form::Symbol(_) => vec![],
-        }
+        self.form(id).parts()
     }
 
     fn facts_of(&self, form: &Form) -> Facts {
@@ -228,14 +234,7 @@ impl Algebra {
     }
 
     fn depth_of(&self, form: &Form) -> u32 {
-        let deepest = |parts: &mut dyn Iterator<Item = Id>| parts.map(|id| self.facts(id).depth).max();
-        let below = match form {
-            Form::Sum(terms) => deepest(&mut terms.iter().map(|(id, _)| *id)),
-            Form::Product(_, factors) => deepest(&mut factors.iter().map(|(id, _)| *id)),
-            Form::Call(_, parts) => deepest(&mut parts.iter().copied()),
-            _ => None,
-        };
-        below.map_or(0, |depth| depth + 1)
+        form.parts().into_iter().map(|id| self.facts(id).depth + 1).max().unwrap_or(0)
     }
 
     fn never_negative_of(&self, form: &Form) -> bool {

@@ -44,9 +44,7 @@ impl Algebra {
         for (part, by) in terms {
             for (degree, coefficient) in self.coefficients(*part, leaf)?.into_iter().enumerate() {
                 sums.resize(sums.len().max(degree + 1), Terms::new());
-                let mut sum = std::mem::take(&mut sums[degree]);
-                self.add_term(&mut sum, by, coefficient);
-                sums[degree] = sum;
+                self.add_term(&mut sums[degree], by, coefficient);
             }
         }
         Some(sums.into_iter().map(|terms| self.sum(terms)).collect())
@@ -79,9 +77,7 @@ impl Algebra {
         for (i, left) in a.iter().enumerate() {
             for (j, right) in b.iter().enumerate() {
                 let product = self.multiplied(*left, *right);
-                let mut sum = std::mem::take(&mut sums[i + j]);
-                self.add_term(&mut sum, &Rational::one(), product);
-                sums[i + j] = sum;
+                self.add_term(&mut sums[i + j], &Rational::one(), product);
             }
         }
         Some(sums.into_iter().map(|terms| self.sum(terms)).collect())

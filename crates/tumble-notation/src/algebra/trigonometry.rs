@@ -12,7 +12,7 @@ use crate::rational::{Rational, ratio};
 const MOST_TERMS: usize = 40;
 
 impl Algebra {
-    fn call(&mut self, op: Unary, id: Id) -> Id {
+    pub(super) fn call(&mut self, op: Unary, id: Id) -> Id {
         self.intern(Form::Call(Function::Unary(op), vec![id]))
     }
 
@@ -48,7 +48,7 @@ impl Algebra {
         }
         let quarter = (doubled.to_integer() % BigInt::from(4)).to_i64().unwrap_or(0).rem_euclid(4);
         let function = self.call(if quarter % 2 == 0 { Unary::Sin } else { Unary::Cos }, rest);
-        if quarter < 2 { function } else { self.scaled(-Rational::one(), function) }
+        if quarter < 2 { function } else { self.negated(function) }
     }
 
     /// `sin(turns pi + rest)` where no quarter turn is left: the whole half turns become a sign.
@@ -59,8 +59,7 @@ impl Algebra {
         join(&mut terms, pi, turns - &whole);
         let angle = self.raw_sum(terms);
         let sine = self.call(Unary::Sin, angle);
-        let odd = !(whole / ratio(2, 1)).is_integer();
-        if odd { self.scaled(-Rational::one(), sine) } else { sine }
+        self.after_half_turns(&whole, sine)
     }
 
     /// `sin(turns pi)`: exact at multiples of 30 and 45 degrees.
@@ -84,8 +83,12 @@ impl Algebra {
                 self.call(Unary::Sin, angle)
             }
         };
-        let odd = !(whole / ratio(2, 1)).is_integer();
-        if odd { self.scaled(-Rational::one(), sine) } else { sine }
+        self.after_half_turns(&whole, sine)
+    }
+
+    /// A sine so many whole half turns further.
+    fn after_half_turns(&mut self, whole: &Rational, sine: Id) -> Id {
+        if (whole / ratio(2, 1)).is_integer() { sine } else { self.negated(sine) }
     }
 
     /// A part or its negative, whichever has the plus sign; says whether it is the negative.
@@ -96,7 +99,7 @@ impl Algebra {
             Form::Sum(terms) => super::sum::content(terms).is_negative(),
             _ => false,
         };
-        (minus, if minus { self.scaled(-Rational::one(), id) } else { id })
+        (minus, if minus { self.negated(id) } else { id })
     }
 
     /// `sin^2 + cos^2 = 1` and the sums of angles, wherever two terms are alike but for these.
@@ -189,33 +192,15 @@ impl Algebra {
     }
 
     fn joined_wave(&mut self, (f, a): (Unary, Id), (g, b): (Unary, Id), alike: bool) -> (Id, Rational) {
-        let plus = Rational::one();
-        let angle = |algebra: &mut Self, (first, second): (Id, Id), by: Rational| {
-            let mut terms = algebra.terms(first);
-            algebra.add_term(&mut terms, &by, second);
-            algebra.sum(terms)
-        };
-        match (f, g) {
-            // cos a cos b +- sin a sin b = cos(a -+ b)
-            (Unary::Cos, Unary::Cos) => {
-                let angle = angle(self, (a, b), if alike { -plus.clone() } else { plus.clone() });
-                (self.cosine(angle), plus)
-            }
-            // sin a sin b - cos a cos b = -cos(a + b)
-            (Unary::Sin, Unary::Sin) => {
-                let angle = angle(self, (a, b), if alike { -plus.clone() } else { plus.clone() });
-                (self.cosine(angle), if alike { plus } else { -plus })
-            }
-            // sin a cos b +- cos a sin b = sin(a +- b)
-            (Unary::Sin, _) => {
-                let angle = angle(self, (a, b), if alike { plus.clone() } else { -plus.clone() });
-                (self.sine(angle), plus)
-            }
-            // cos a sin b +- sin a cos b = sin(b +- a)
-            _ => {
-                let angle = angle(self, (b, a), if alike { plus.clone() } else { -plus.clone() });
-                (self.sine(angle), plus)
-            }
-        }
+        // cos a cos b +- sin a sin b = cos(a -+ b), sin a cos b +- cos a sin b = sin(a +- b)
+        let (first, second) = if (f, g) == (Unary::Cos, Unary::Sin) { (b, a) } else { (a, b) };
+        let by = if alike == (f == g) { -Rational::one() } else { Rational::one() };
+        let mut terms = self.terms(first);
+        self.add_term(&mut terms, &by, second);
+        let angle = self.sum(terms);
+        let wave = if f == g { self.cosine(angle) } else { self.sine(angle) };
+        // sin a sin b - cos a cos b = -cos(a + b)
+        let is_minus = f == Unary::Sin && f == g && !alike;
+        (wave, if is_minus { -Rational::one() } else { Rational::one() })
     }
 }

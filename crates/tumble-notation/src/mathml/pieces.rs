@@ -166,19 +166,16 @@ fn raised(inside: &Math, exponent: &Math) -> Vec<Part> {
 
 /// A fraction as a factor before its numerator, or with a stroke if what is below is wide too.
 fn fraction(above: &Math, below: &Math) -> Vec<Part> {
-    let bracketed = |math: &Math| match math {
-        Math::Row(_) => parts(&math.clone().bracketed()),
-        _ => parts(math),
-    };
+    let above = parts(&above.clone().into_term());
     if is_wide(below) {
         let stroke = Part { shown: sign(Operator::Over), width: SPACE, begins: false };
-        let mut all = bracketed(above);
+        let mut all = above;
         all.push(stroke);
         all.extend(parts(&below.clone().bracketed()));
         return all;
     }
     let mut all = vec![Part::of(&Math::digits(1).over(below.clone())), Part::space()];
-    all.extend(bracketed(above));
+    all.extend(above);
     all
 }
 

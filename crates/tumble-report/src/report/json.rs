@@ -38,44 +38,26 @@ pub fn object<const N: usize>(fields: [(&str, String); N]) -> String {
     format!("{{{}}}", fields.join(","))
 }
 
-/// Numbers as multiples of a step from an origin, each as its difference to
-/// the last one: short for smooth data. `null` is a gap.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Grid {
-    origin: f64,
-    step: f64,
-}
-
-impl Grid {
-    /// A grid of `steps` steps over the finite values.
-    pub(super) fn over(values: impl IntoIterator<Item = f64>, steps: f64) -> Self {
-        let range = tumble_drawing::scale::Range::of(values).unwrap_or_default();
-        // One step of a constant is never used; it must only not be zero.
-        let step = if range.span() > 0.0 { range.span() / steps } else { 1.0 };
-        Self { origin: range.low, step }
-    }
-
-    /// Values on a grid of `steps` steps over them.
-    pub(super) fn encoded(values: impl Iterator<Item = f64> + Clone, steps: f64) -> String {
-        Self::over(values.clone(), steps).encode(values)
-    }
-
-    /// `[origin, step, [differences]]`, where `[count, difference]` stands for several that are equal.
-    pub(super) fn encode(&self, values: impl IntoIterator<Item = f64>) -> String {
-        let mut last = 0i64;
-        let difference = |value: f64| {
-            let n = (value - self.origin) / self.step;
-            // Beyond this the difference of two numbers is no longer exact.
-            if n.is_nan() || n.abs() > 1e15 {
-                return None;
-            }
-            let n = n.round() as i64;
-            Some(n - std::mem::replace(&mut last, n))
-        };
-        let differences: Vec<Option<i64>> = values.into_iter().map(difference).collect();
-        let runs = differences.chunk_by(|a, b| a == b).flat_map(shortened);
-        list([number(self.origin), number(self.step), list(runs)])
-    }
+/// Numbers as multiples of a step from an origin, of which there are so many over the finite ones: `[origin, step, [differences]]`,
+/// each as its difference to the last one, which is short for smooth data. `[count, difference]` stands for several that are equal,
+/// and `null` is a gap.
+pub(super) fn on_grid(values: impl Iterator<Item = f64> + Clone, steps: f64) -> String {
+    let range = tumble_drawing::scale::Range::of(values.clone()).unwrap_or_default();
+    // One step of a constant is never used; it must only not be zero.
+    let step = if range.span() > 0.0 { range.span() / steps } else { 1.0 };
+    let mut last = 0i64;
+    let difference = |value: f64| {
+        let n = (value - range.low) / step;
+        // Beyond this the difference of two numbers is no longer exact.
+        if n.is_nan() || n.abs() > 1e15 {
+            return None;
+        }
+        let n = n.round() as i64;
+        Some(n - std::mem::replace(&mut last, n))
+    };
+    let differences: Vec<Option<i64>> = values.map(difference).collect();
+    let runs = differences.chunk_by(|a, b| a == b).flat_map(shortened);
+    list([number(range.low), number(step), list(runs)])
 }
 
 /// Equal differences, as one if that is shorter.
@@ -104,10 +86,10 @@ mod tests {
     #[test]
     fn grids_keep_what_they_promise() {
         let values = [0.0, 0.25, f64::NAN, 1.0, 0.5];
-        assert_eq!(Grid::over(values, 100.0).encode(values), "[0,0.01,[0,25,null,75,-50]]");
-        assert_eq!(Grid::over([7.0, 7.0], 100.0).encode([7.0, 7.0]), "[7,1,[0,0]]");
-        assert_eq!(Grid::over([], 100.0).encode([]), "[0,0.01,[]]");
+        assert_eq!(on_grid(values.into_iter(), 100.0), "[0,0.01,[0,25,null,75,-50]]");
+        assert_eq!(on_grid([7.0, 7.0].into_iter(), 100.0), "[7,1,[0,0]]");
+        assert_eq!(on_grid([].into_iter(), 100.0), "[0,0.01,[]]");
         let even = [0.0, 1.0, 2.0, 3.0, 4.0, f64::NAN, f64::NAN];
-        assert_eq!(Grid::over(even, 4.0).encode(even), "[0,1,[0,[4,1],[2,null]]]");
+        assert_eq!(on_grid(even.into_iter(), 4.0), "[0,1,[0,[4,1],[2,null]]]");
     }
 }

@@ -1,27 +1,14 @@
 //! What a page is sent while it plays: the parts of a report as the page itself has them, and what is to be said, as JSON.
 
-use tumble_drawing::{Animation, Label};
+use tumble_drawing::Label;
 use tumble_scene::{Diagnostic, Diagnostics, Preset, Severity, Study, Underlined};
 
 use crate::figures::symbols;
 
+use super::html;
 use super::json::{list, number, object, string};
-use super::{Report, html};
 
-/// The sections of a report with the data of its curves and motions, as they stand in the page.
-pub fn parts(report: &Report) -> String {
-    html::parts(report)
-}
-
-/// A motion, as the data of a page has it.
-pub fn motion(animation: &Animation) -> String {
-    html::motion(animation)
-}
-
-/// The case of a motion that shows most, for a small picture.
-pub fn living(animation: &Animation) -> String {
-    html::living(animation)
-}
+pub use super::html::{living, motion, parts};
 
 /// What is to be said of a scene: each with its code, its place, its message and its cure, the words of the command.
 pub fn said(diagnostics: &Diagnostics) -> String {

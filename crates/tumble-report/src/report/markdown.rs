@@ -159,16 +159,11 @@ impl Writer for Markdown {
     }
 
     fn picture(&mut self, Picture { svg, caption, file }: &Picture) -> String {
-        figure(file, if svg.description.is_empty() { &svg.title } else { &svg.description }, caption)
+        figure(file, [&svg.description, &svg.title], caption)
     }
 
     fn plot(&mut self, plot: &Chart) -> String {
-        let title = plot.figure.title.to_plain();
-        figure(
-            &plot.file,
-            if plot.description.is_empty() { &title } else { &plot.description },
-            &plot.caption,
-        )
+        figure(&plot.file, [&plot.description, &plot.figure.title.to_plain()], &plot.caption)
     }
 
     /// Nothing moves on paper.
@@ -189,8 +184,9 @@ impl Writer for Markdown {
     }
 }
 
-/// A link to a picture with its caption below; the caption alone if there is no file.
-fn figure(file: &str, alt: &str, caption: &Text) -> String {
+/// A link to a picture, told by its description or else its title, with its caption below; the caption alone if there is no file.
+fn figure(file: &str, [description, title]: [&str; 2], caption: &Text) -> String {
+    let alt = if description.is_empty() { title } else { description };
     let image = if file.is_empty() { String::new() } else { format!("![{}]({})", escape(alt), url(file)) };
     Markdown::joined([image, Markdown::text(caption)])
 }

@@ -1,7 +1,8 @@
 //! The pose of equilibrium near the start, in words, as data and as a table.
 
 use crate::report::{Column, PrintedTable, Text};
-use serde::Serialize;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 use tumble_mech::{Equilibrium, Growth, SmallMotions, Stability};
 
 use crate::fill::quantity_to;
@@ -17,6 +18,8 @@ const MOST_LINES: usize = 20;
 
 /// A body's place, or what holds it, with the unit of each number.
 struct Row<'a> {
+    /// Whose name it has.
+    of: &'static str,
     name: &'a str,
     what: [&'static str; 3],
     values: [f64; 3],
@@ -25,12 +28,14 @@ struct Row<'a> {
 
 fn rows(found: &Equilibrium) -> Vec<Row<'_>> {
     let poses = found.poses.iter().map(|pose| Row {
+        of: "body",
         name: &pose.body,
         what: ["x", "y", "angle"],
         values: [pose.at[0], pose.at[1], pose.angle],
         units: ["m", "m", "rad"],
     });
     let reactions = found.reactions.iter().map(|reaction| Row {
+        of: "name",
         name: &reaction.name,
         what: ["fx", "fy", "torque"],
         values: [reaction.force[0], reaction.force[1], reaction.couple],
@@ -41,7 +46,7 @@ fn rows(found: &Equilibrium) -> Vec<Row<'_>> {
 
 /// The numbers of a row, with nothing in the place of rounding.
 fn cleared(row: &Row<'_>, rows: &[Row<'_>]) -> [f64; 3] {
-    let alike = rows.iter().filter(|other| other.what == row.what).flat_map(|other| other.values);
+    let alike = rows.iter().filter(|other| other.of == row.of).flat_map(|other| other.values);
     let largest = alike.map(f64::abs).fold(0.0, f64::max);
     row.values.map(|value| if value.abs() <= NOTHING * largest { 0.0 } else { value })
 }
@@ -97,21 +102,20 @@ pub(crate) fn lines(found: &Equilibrium) -> Vec<String> {
 /// Tables for the report.
 pub(crate) fn tables(found: &Equilibrium) -> Vec<PrintedTable> {
     let rows = rows(found);
-    let table = |caption: &str, of: &str, what: [&'static str; 3], heads: [&str; 3]| {
-        let columns = std::iter::once(Column::words(of)).chain(heads.map(Column::numbers)).collect();
-        let own = rows.iter().filter(|row| row.what == what);
+    let table = |caption: &str, of: &str, head: &str, heads: [&str; 3]| {
+        let columns = std::iter::once(Column::words(head)).chain(heads.map(Column::numbers)).collect();
+        let own = rows.iter().filter(|row| row.of == of);
         own.fold(PrintedTable::new(caption, columns), |table, row| {
             let cells = cleared(row, &rows).map(|value| quantity_to(value, SHOWN, ""));
             table.row(std::iter::once(Text::from(row.name.to_owned())).chain(cells).collect())
         })
     };
-    let mut poses =
-        table("Equilibrium near the start", "Body", ["x", "y", "angle"], ["x (m)", "y (m)", "angle (rad)"]);
+    let mut poses = table("Equilibrium near the start", "body", "Body", ["x (m)", "y (m)", "angle (rad)"]);
     poses.notes.push(format!("Small motions about it: {}.", small_motions(&found.small_motions)).into());
     let reactions = table(
         "What holds it there",
+        "name",
         "Joint or contact",
-        ["fx", "fy", "torque"],
         ["along x (N)", "along y (N)", "torque (N m)"],
     );
     if reactions.rows.is_empty() { vec![poses] } else { vec![poses, reactions] }
@@ -124,8 +128,8 @@ pub struct Summary<'a> {
     frequencies: &'a [f64],
     growing: Vec<Growing>,
     neutral: usize,
-    poses: Vec<Pose<'a>>,
-    reactions: Vec<Reaction<'a>>,
+    poses: Vec<Row<'a>>,
+    reactions: Vec<Row<'a>>,
 }
 
 #[derive(Serialize)]
@@ -134,41 +138,28 @@ struct Growing {
     frequency: f64,
 }
 
-#[derive(Serialize)]
-struct Pose<'a> {
-    body: &'a str,
-    x: f64,
-    y: f64,
-    angle: f64,
-}
-
-#[derive(Serialize)]
-struct Reaction<'a> {
-    name: &'a str,
-    fx: f64,
-    fy: f64,
-    torque: f64,
+impl Serialize for Row<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry(self.of, self.name)?;
+        let mut numbers = self.what.iter().zip(self.values);
+        numbers.try_for_each(|(what, value)| map.serialize_entry(what, &value))?;
+        map.end()
+    }
 }
 
 impl<'a> Summary<'a> {
     /// What is told of an equilibrium.
     pub fn of(found: &'a Equilibrium) -> Self {
         let growing = |growth: &Growth| Growing { rate: growth.rate, frequency: growth.frequency };
-        let pose = |pose: &'a tumble_mech::EquilibriumPose| {
-            let [x, y] = pose.at;
-            Pose { body: &pose.body, x, y, angle: pose.angle }
-        };
-        let reaction = |reaction: &'a tumble_mech::Reaction| {
-            let [fx, fy] = reaction.force;
-            Reaction { name: &reaction.name, fx, fy, torque: reaction.couple }
-        };
+        let (poses, reactions) = rows(found).into_iter().partition(|row| row.of == "body");
         Self {
             stability: found.small_motions.stability().word(),
             frequencies: &found.small_motions.frequencies,
             growing: found.small_motions.growing.iter().map(growing).collect(),
             neutral: found.small_motions.neutral,
-            poses: found.poses.iter().map(pose).collect(),
-            reactions: found.reactions.iter().map(reaction).collect(),
+            poses,
+            reactions,
         }
     }
 }

@@ -8,6 +8,7 @@ pub(crate) mod digits;
 pub(crate) mod equilibrium;
 mod error;
 pub(crate) mod finished;
+mod known;
 pub(crate) mod locate;
 pub(crate) mod moments;
 pub(crate) mod open;

@@ -1,27 +1,18 @@
 //! Times that only a run knows: of events, and of the starts and ends of contacts.
 
-use tumble_expr::{Expr, Substitution, Symbol};
+use tumble_expr::{Expr, Symbol};
 use tumble_mech::{Change, Contact, Happening};
 use tumble_scene::{Count, Instant, Study};
 
 use crate::results::CaseError;
 use crate::results::case::Solution;
+use crate::results::known::{AllKnown, Known};
 
 /// The events and contacts of one run.
 pub(crate) struct Moments<'a> {
     study: &'a Study,
     solution: Solution<'a>,
     contacts: Vec<Contact>,
-}
-
-/// A time that only a run knows, or a difference of such times, s.
-#[derive(Clone, Copy, Debug)]
-struct Known {
-    time: f64,
-    /// What it may be off by; `None` where nothing is known of that.
-    error: Option<f64>,
-    /// What rounding alone may have done to it.
-    blur: f64,
 }
 
 /// A formula with its moments replaced by their times.
@@ -38,8 +29,17 @@ pub(crate) struct Timed {
 
 impl Timed {
     /// A formula without moments.
-    pub(crate) fn plain(formula: Expr) -> Self {
-        Self { formula, variants: vec![], blurred: vec![], is_sure: true }
+    pub(crate) fn plain(formula: &Expr) -> Self {
+        Self::with(&AllKnown::default(), formula)
+    }
+
+    fn with(times: &AllKnown, formula: &Expr) -> Self {
+        Self {
+            formula: times.put_into(formula),
+            variants: times.variants(formula),
+            blurred: times.blurred(formula),
+            is_sure: times.is_sure(),
+        }
     }
 }
 
@@ -87,32 +87,14 @@ impl<'a> Moments<'a> {
     /// A formula with its moments replaced by their times; `None` if one of them does not happen.
     pub(crate) fn known(&self, formula: &Expr) -> Option<Timed> {
         let symbols = formula.symbols().into_iter().filter(is_moment);
-        let moments: Option<Vec<(Symbol, Known)>> =
-            symbols.map(|symbol| self.time_of(&symbol.name).map(|known| (symbol, known))).collect();
-        let moments = moments?;
-        let with = |off: Option<usize>, by: f64| {
-            let mut times = Substitution::default();
-            for (index, (symbol, known)) in moments.iter().enumerate() {
-                let error = if off == Some(index) { by } else { 0.0 };
-                times.insert(symbol.clone(), Expr::from(known.time + error) * tumble_expr::units::S);
-            }
-            times.apply(formula)
-        };
-        let each = |by: fn(&Known) -> f64| {
-            moments.iter().enumerate().map(|(index, (_, known))| with(Some(index), by(known))).collect()
-        };
-        Some(Timed {
-            formula: with(None, 0.0),
-            variants: each(|known| known.error.unwrap_or(0.0)),
-            blurred: each(|known| known.blur),
-            is_sure: moments.iter().all(|(_, known)| known.error.is_some()),
-        })
+        let times = symbols.map(|symbol| self.time_of(&symbol.name).map(|known| (symbol, known)));
+        Some(Timed::with(&AllKnown(times.collect::<Option<_>>()?), formula))
     }
 
     fn time_of(&self, name: &str) -> Option<Known> {
         let run = self.solution.run;
         let at = |time: f64| Known {
-            time,
+            value: time,
             error: self.event_error(time),
             blur: tumble_mech::Trust::event_blur(run, time),
         };
@@ -131,9 +113,9 @@ impl<'a> Moments<'a> {
         Some(match part {
             "start" => start,
             "end" => end,
-            _ if found.start == found.end => Known { time: 0.0, error: Some(0.0), blur: 0.0 },
+            _ if found.start == found.end => Known { value: 0.0, error: Some(0.0), blur: 0.0 },
             _ => Known {
-                time: found.end - found.start,
+                value: found.end - found.start,
                 error: start.error.zip(end.error).map(|(start, end)| start + end),
                 blur: start.blur + end.blur,
             },

@@ -8,7 +8,7 @@ use tumble_scene::{Question, Study, When};
 use crate::results::case::{Case, Solution};
 use crate::results::moments::{Moments, Timed};
 use crate::results::open::{self, NO_VALUE, NOT_UNIQUE};
-use crate::results::works::{Works, is_work};
+use crate::results::works::{self, is_work};
 use crate::results::{CaseError, digits};
 
 /// A value that the scene asks for.
@@ -209,13 +209,13 @@ impl<'a> Asked<'a> {
     fn seen(&self, claim: Option<&Expr>) -> Result<Option<Seen>, CaseError> {
         let (solution, at) = (self.solution, self.at());
         let claimed = match claim {
-            None => Some(Timed::plain(0 * Unit(self.dimension))),
+            None => Some(Timed::plain(&(0 * Unit(self.dimension)))),
             Some(claim) => self.moments.known(claim),
         };
         let Some(claimed) = claimed else { return Ok(None) };
         // Works that both sides name are off in both alike.
         let difference = &self.that.formula - &claimed.formula;
-        let Some(works) = Works::of(solution, &difference, at)? else { return Ok(None) };
+        let Some(works) = works::of(solution, &difference, at)? else { return Ok(None) };
         let of_times = |of_that: &[Expr], of_claim: &[Expr]| -> Vec<Expr> {
             let of_that = of_that.iter().map(|other| other - &claimed.formula);
             let of_claim = of_claim.iter().map(|other| &self.that.formula - other);

@@ -1,107 +1,58 @@
 //! What only the run knows up to an instant, by the names in finds and checks: works of loads, `floor.work`, and what [`tallies`] has.
 
-use tumble_expr::{Expr, Substitution, Symbol, Unit};
+use tumble_expr::{Expr, Symbol};
 use tumble_mech::{At, Contribution, ContributionKind, RunBalance, Trust};
 use tumble_ode::Side;
 
 use crate::results::case::Solution;
+use crate::results::known::{AllKnown, Known};
 use crate::results::moments::is_part;
 use crate::results::{ABOUT, CaseError, tallies};
 
 /// How their names end.
 const WORK: &str = ".work";
 
-/// Works that some formulas name, up to an instant, J.
-pub(crate) struct Works {
-    known: Vec<(Symbol, Work)>,
-}
-
-struct Work {
-    done: f64,
-    /// `None` where nothing is known of it.
-    error: Option<f64>,
-    /// What rounding of the time of an event makes of it.
-    blur: f64,
-}
-
-impl Works {
-    /// `None` outside the motion.
-    pub(crate) fn of(solution: Solution<'_>, formula: &Expr, at: At) -> Result<Option<Self>, CaseError> {
-        let symbols: Vec<Symbol> = formula.symbols().into_iter().filter(is_work).collect();
-        if symbols.is_empty() {
-            return Ok(Some(Self { known: vec![] }));
-        }
-        let (works, tallied): (Vec<Symbol>, Vec<Symbol>) =
-            symbols.into_iter().partition(|symbol| symbol.name.ends_with(WORK));
-        let tallies = tallied.into_iter().map(|symbol| {
-            let tally = tallies::found(solution.run, &symbol.name, at)?;
-            let error = solution.trust.and_then(|trust| tally.error(solution.run, trust, &symbol.name, at));
-            Some((symbol, Work { done: tally.value, error, blur: tally.blur }))
-        });
-        let Some(mut known) = tallies.collect::<Option<Vec<_>>>() else { return Ok(None) };
-        if works.is_empty() {
-            return Ok(Some(Self { known }));
-        }
-        let mut balance = RunBalance::of(solution.run, ABOUT)?;
-        let Some(reading) = balance.at(at.time, at.side)? else { return Ok(None) };
-        let errors = match solution.trust {
-            Some(trust) => trust.work_errors(solution.run, &mut balance, at.time, at.side)?,
-            None => None,
+/// Those that a formula names, up to an instant; `None` outside the motion.
+pub(crate) fn of(solution: Solution<'_>, formula: &Expr, at: At) -> Result<Option<AllKnown>, CaseError> {
+    let symbols: Vec<Symbol> = formula.symbols().into_iter().filter(is_work).collect();
+    if symbols.is_empty() {
+        return Ok(Some(AllKnown::default()));
+    }
+    let (works, tallied): (Vec<Symbol>, Vec<Symbol>) =
+        symbols.into_iter().partition(|symbol| symbol.name.ends_with(WORK));
+    let tallies = tallied.into_iter().map(|symbol| {
+        let tally = tallies::found(solution.run, &symbol.name, at)?;
+        let error = solution.trust.and_then(|trust| tally.error(solution.run, trust, &symbol.name, at));
+        Some((symbol, Known { value: tally.value, error, blur: tally.blur }))
+    });
+    let Some(mut known) = tallies.collect::<Option<Vec<_>>>() else { return Ok(None) };
+    if works.is_empty() {
+        return Ok(Some(AllKnown(known)));
+    }
+    let mut balance = RunBalance::of(solution.run, ABOUT)?;
+    let Some(reading) = balance.at(at.time, at.side)? else { return Ok(None) };
+    let errors = match solution.trust {
+        Some(trust) => trust.work_errors(solution.run, &mut balance, at.time, at.side)?,
+        None => None,
+    };
+    let [here, before] = around(solution, &mut balance, at)?;
+    let whole = balance.contributions.iter().zip(&reading.work);
+    let rounding: Vec<f64> = whole.map(|(contribution, work)| contribution.rounding(*work)).collect();
+    let work = |symbol: Symbol| {
+        let load = symbol.name.strip_suffix(WORK).unwrap_or_default();
+        let sum = |of: &[f64]| -> f64 {
+            let contributions = balance.contributions.iter().zip(of);
+            contributions
+                .filter(|(contribution, _)| is_work_of(contribution, load))
+                .map(|(_, amount)| amount)
+                .sum()
         };
-        let [here, before] = around(solution, &mut balance, at)?;
-        let whole = balance.contributions.iter().zip(&reading.work);
-        let rounding: Vec<f64> = whole.map(|(contribution, work)| contribution.rounding(*work)).collect();
-        let work = |symbol: Symbol| {
-            let load = symbol.name.strip_suffix(WORK).unwrap_or_default();
-            let sum = |of: &[f64]| -> f64 {
-                let contributions = balance.contributions.iter().zip(of);
-                contributions
-                    .filter(|(contribution, _)| is_work_of(contribution, load))
-                    .map(|(_, amount)| amount)
-                    .sum()
-            };
-            let moved = if before.is_empty() { 0.0 } else { (sum(&here) - sum(&before)).abs() };
-            let (done, error) = (sum(&reading.work), errors.as_deref().map(sum));
-            (symbol.clone(), Work { done, error, blur: moved + sum(&rounding) })
-        };
-        known.extend(works.into_iter().map(work));
-        Ok(Some(Self { known }))
-    }
-
-    /// Whether all errors are known.
-    pub(crate) fn is_sure(&self) -> bool {
-        self.known.iter().all(|(_, work)| work.error.is_some())
-    }
-
-    /// A formula with the works that were found.
-    pub(crate) fn put_into(&self, formula: &Expr) -> Expr {
-        self.with(formula, |_| 0.0)
-    }
-
-    /// For each work, the formula with that one off by its error.
-    pub(crate) fn variants(&self, formula: &Expr) -> Vec<Expr> {
-        self.each(formula, |work| work.error.unwrap_or(0.0))
-    }
-
-    /// For each work, the formula with that one off by what it is known to at best.
-    pub(crate) fn blurred(&self, formula: &Expr) -> Vec<Expr> {
-        self.each(formula, |work| work.blur)
-    }
-
-    fn each(&self, formula: &Expr, by: impl Fn(&Work) -> f64) -> Vec<Expr> {
-        let off = |index: usize| {
-            self.with(formula, |other| if other == index { by(&self.known[index].1) } else { 0.0 })
-        };
-        (0..self.known.len()).map(off).collect()
-    }
-
-    fn with(&self, formula: &Expr, off: impl Fn(usize) -> f64) -> Expr {
-        let mut found = Substitution::default();
-        for (index, (symbol, work)) in self.known.iter().enumerate() {
-            found.insert(symbol.clone(), Expr::from(work.done + off(index)) * Unit(symbol.dimension));
-        }
-        found.apply(formula)
-    }
+        let moved = if before.is_empty() { 0.0 } else { (sum(&here) - sum(&before)).abs() };
+        let (value, error) = (sum(&reading.work), errors.as_deref().map(sum));
+        (symbol.clone(), Known { value, error, blur: moved + sum(&rounding) })
+    };
+    known.extend(works.into_iter().map(work));
+    Ok(Some(AllKnown(known)))
 }
 
 /// The works at an event and a little before it: as far as rounding may have moved its time.

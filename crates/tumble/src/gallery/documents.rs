@@ -61,10 +61,15 @@ impl Documents {
         self.texts.get(&format!("{}/{scene}/{FIRST}", self.scenes)).map(String::as_str)
     }
 
+    /// The name of a scene, as it is kept.
+    fn known(&self, name: &str) -> Option<&str> {
+        self.names.iter().find(|known| *known == name).map(String::as_str)
+    }
+
     /// The scene that a document is the lesson of.
     pub(super) fn scene_of(&self, path: &str) -> Option<&str> {
         let (name, rest) = path.strip_prefix(&self.scenes)?.strip_prefix('/')?.split_once('/')?;
-        let name = self.names.iter().find(|known| *known == name)?;
+        let name = self.known(name)?;
         (rest == FIRST).then_some(name)
     }
 
@@ -95,8 +100,7 @@ impl Documents {
             "" => Some("index.html".to_owned()),
             rest => {
                 let scene = rest.trim_end_matches('/').trim_end_matches("/scene.toml");
-                let name = self.names.iter().find(|known| *known == scene)?;
-                Some(report_page(name))
+                Some(report_page(self.known(scene)?))
             }
         }
     }
@@ -109,7 +113,7 @@ impl Documents {
     /// The scene whose file a command names.
     pub(super) fn scene_named(&self, file: &str) -> Option<&str> {
         let name = file.strip_prefix(&self.scenes)?.strip_prefix('/')?.strip_suffix("/scene.toml")?;
-        self.names.iter().find(|known| *known == name).map(String::as_str)
+        self.known(name)
     }
 }
 

@@ -18,7 +18,7 @@ use thiserror::Error;
 use tumble_scene::printable;
 
 pub(crate) use file::{Kind, Single};
-pub(crate) use folder::Folder;
+pub(crate) use folder::{Folder, Placed};
 pub(crate) use hash::Hash;
 pub use spool::Spool;
 pub(crate) use table::TableFile;

@@ -19,8 +19,8 @@ pub(super) struct Entry<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     equal_runs: Option<usize>,
     value: f64,
-    /// None where no digit is known.
-    error: Option<f64>,
+    /// `null` where no digit is known.
+    error: f64,
     unit: &'a str,
     /// Runs that were made for it.
     more_runs: usize,
@@ -37,7 +37,7 @@ pub(super) fn entry(located: &Located) -> Entry<'_> {
         between: place.between,
         equal_runs: place.equal.map(|equal| equal.runs),
         value: place.best.value,
-        error: Some(place.best.error).filter(|error| error.is_finite()),
+        error: place.best.error,
         unit: &located.unit,
         more_runs: place.made,
     }

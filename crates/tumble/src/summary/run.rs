@@ -109,16 +109,17 @@ struct Event<'a> {
     what: &'a [String],
 }
 
+/// Numbers that are none are `null`.
 #[derive(Serialize)]
 struct Find<'a> {
     name: &'a str,
     that: &'a str,
     unit: &'a str,
-    at: Option<f64>,
-    value: Option<f64>,
+    at: f64,
+    value: f64,
     error: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    between: Option<Between>,
+    between: Option<[f64; 2]>,
     status: &'static str,
 }
 
@@ -127,20 +128,17 @@ struct Check<'a> {
     name: &'a str,
     that: &'a str,
     unit: &'a str,
-    at: Option<f64>,
-    found: Option<f64>,
-    expected: Option<f64>,
+    at: f64,
+    found: f64,
+    expected: f64,
     within: f64,
     /// Error stated of what was found.
     error: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    between: Option<Between>,
+    between: Option<[f64; 2]>,
     holds: bool,
     status: &'static str,
 }
-
-/// The least and greatest of what is not unique; `None` where nothing bounds it.
-type Between = [Option<f64>; 2];
 
 /// The text of a run, as it stands in the list of all.
 pub(crate) fn page(study: &Study, case: &Finished) -> io::Result<String> {
@@ -223,12 +221,14 @@ fn end(case: &Finished) -> End {
     End { time: case.end, states: named.collect() }
 }
 
-fn finite(value: f64) -> Option<f64> {
-    value.is_finite().then_some(value)
+/// The least and greatest of what is not unique.
+fn between(spread: Spread) -> [f64; 2] {
+    [spread.least, spread.greatest]
 }
 
-fn between(spread: Spread) -> Between {
-    [spread.least, spread.greatest].map(finite)
+/// The value of what is unique.
+fn only(value: f64, spread: Option<Spread>) -> f64 {
+    spread.map_or(value, |_| f64::NAN)
 }
 
 fn find(result: &FindResult) -> Find<'_> {
@@ -236,9 +236,9 @@ fn find(result: &FindResult) -> Find<'_> {
         name: &result.name,
         that: &result.that,
         unit: &result.unit,
-        at: finite(result.at),
-        value: finite(result.value).filter(|_| result.spread.is_none()),
-        error: result.error.and_then(finite).filter(|_| !result.value.is_nan()),
+        at: result.at,
+        value: only(result.value, result.spread),
+        error: result.error.filter(|_| !result.value.is_nan()),
         between: result.spread.map(between),
         status: result.status(),
     }
@@ -249,11 +249,11 @@ fn check(result: &CheckResult) -> Check<'_> {
         name: &result.name,
         that: &result.that,
         unit: &result.unit,
-        at: finite(result.at),
-        found: finite(result.found).filter(|_| result.spread.is_none()),
-        expected: finite(result.expected),
+        at: result.at,
+        found: only(result.found, result.spread),
+        expected: result.expected,
         within: result.within,
-        error: result.error.and_then(finite).filter(|_| !result.found.is_nan()),
+        error: result.error.filter(|_| !result.found.is_nan()),
         between: result.spread.map(between),
         holds: result.holds,
         status: result.status(),

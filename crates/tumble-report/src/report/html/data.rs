@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::report::json::{Grid, list, number, object, string};
+use crate::report::json::{list, number, object, on_grid, string};
 use crate::report::picture::Chart;
 use tumble_drawing::axes::Axis;
 use tumble_drawing::curves::{Band, DataSeries, Mark};
@@ -69,7 +69,7 @@ pub(super) fn mark(mark: &Mark) -> String {
 
 fn series_data(index: usize, series: &DataSeries) -> String {
     let (style, points) = (LineStyle::of(index), shortened(&series.points));
-    let column = |k: usize| Grid::encoded(points.iter().map(|p| p[k]), STEPS);
+    let column = |k: usize| on_grid(points.iter().map(|p| p[k]), STEPS);
     object([
         ("label", label(&series.label)),
         ("style", (index % tumble_drawing::theme::PALETTE_SIZE).to_string()),
@@ -81,7 +81,7 @@ fn series_data(index: usize, series: &DataSeries) -> String {
 }
 
 fn band(band: &Band) -> String {
-    let column = |k: usize| Grid::encoded(band.points.iter().map(|p| p[k]), STEPS);
+    let column = |k: usize| on_grid(band.points.iter().map(|p| p[k]), STEPS);
     object([
         ("label", label(&band.label)),
         ("style", (band.series % tumble_drawing::theme::PALETTE_SIZE).to_string()),

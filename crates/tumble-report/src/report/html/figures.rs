@@ -37,20 +37,20 @@ pub(super) fn description(plot: &Chart) -> String {
         return plot.description.clone();
     }
     let figure = &plot.figure;
-    let axes = format!("{} over {}.", title(&figure.y.title(), "values"), title(&figure.x.title(), "values"));
+    let axes = format!(
+        "{} over {}.",
+        figure.y.title().to_plain_or("values"),
+        figure.x.title().to_plain_or("values")
+    );
     let curves = figure.series.iter().take(NAMED).map(|series| curve(figure, series));
     let rest = figure.series.len().saturating_sub(NAMED);
     let rest = (rest > 0).then(|| format!("And {rest} more curves."));
     std::iter::once(axes).chain(curves).chain(rest).collect::<Vec<_>>().join(" ")
 }
 
-fn title(label: &Label, otherwise: &str) -> String {
-    if label.is_empty() { otherwise.to_owned() } else { label.to_plain() }
-}
-
 /// Where a curve begins and ends, and its bounds.
 fn curve(figure: &CurveFigure, series: &DataSeries) -> String {
-    let name = title(&series.label, "The curve");
+    let name = series.label.to_plain_or("The curve");
     let mut finite = series.points.iter().filter(|p| p[0].is_finite() && p[1].is_finite());
     let Some(first) = finite.next() else { return format!("{name}: no data.") };
     let last = finite.next_back().unwrap_or(first);

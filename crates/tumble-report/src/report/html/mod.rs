@@ -13,6 +13,7 @@ mod tests;
 
 pub(super) use data::label;
 pub(crate) use inline::text;
-pub(super) use motion::{living, motion};
+pub use motion::{living, motion};
+pub(super) use page::page;
+pub use page::parts;
 pub(crate) use page::{MOTION, joined};
-pub(super) use page::{page, parts};

@@ -1,7 +1,7 @@
 //! The data of a motion for the page's scripts, and the picture that stands for it without them.
 
 use super::data::{label, mark};
-use crate::report::json::{Grid, list, number, object, string};
+use crate::report::json::{list, number, object, on_grid, string};
 use tumble_drawing::free_body::{Ground, GroundCircle, NamedPoint};
 use tumble_drawing::outline::{Outline, Pose};
 use tumble_drawing::stroboscope::StroboscopicPicture;
@@ -24,18 +24,13 @@ const INSTANTS: usize = 13;
 
 /// The first case as a stroboscopic picture, described in words.
 pub(in crate::report) fn still(animation: &Animation) -> Svg {
-    let motion = animation.cases.first();
-    let tracks = motion.map(|motion| motion.bodies.iter().map(|b| track(motion, b)).collect());
-    let surfaces = motion.map(|motion| motion.surfaces.clone()).unwrap_or_default();
-    let picture = StroboscopicPicture {
-        tracks: tracks.unwrap_or_default(),
-        surfaces,
+    let picture = animation.cases.first().map(|motion| StroboscopicPicture {
+        tracks: motion.bodies.iter().map(|b| track(motion, b)).collect(),
+        surfaces: motion.surfaces.clone(),
         ..StroboscopicPicture::default()
-    };
-    let mut svg = picture.small_svg().described(description(animation));
-    let title = animation.title.to_plain();
-    svg.title = if title.is_empty() { "Motion".to_owned() } else { title };
-    svg
+    });
+    let svg = picture.unwrap_or_default().small_svg().described(description(animation));
+    Svg { title: animation.title.to_plain_or("Motion"), ..svg }
 }
 
 fn track(motion: &MovingCase, body: &MovingBody) -> BodyPath {
@@ -68,17 +63,17 @@ fn ends(body: &MovingBody) -> Option<String> {
         format!("({x}, {y}) m at {degrees} degrees")
     };
     let (first, last) = (body.poses.first()?, body.poses.last()?);
-    let name = if body.name.is_empty() { "The body".to_owned() } else { body.name.to_plain() };
+    let name = body.name.to_plain_or("The body");
     Some(format!("{name} moves from {} to {}.", place(first), place(last)))
 }
 
 /// A motion for a page that is there already.
-pub(in crate::report) fn motion(animation: &Animation) -> String {
+pub fn motion(animation: &Animation) -> String {
     motion_data(animation, &description(animation))
 }
 
 /// One case alone, small: no forces, and no more frames than a small picture needs.
-pub(in crate::report) fn living(animation: &Animation) -> String {
+pub fn living(animation: &Animation) -> String {
     let case = telling(&animation.cases).map(|motion| MovingCase { forces: vec![], ..motion.clone() });
     let small = Animation { cases: case.into_iter().collect(), ..animation.clone() };
     let description = description(&small);
@@ -134,7 +129,7 @@ fn frames(motion: &MovingCase, cases: usize, most: usize) -> Vec<usize> {
 fn case(motion: &MovingCase, frames: &[usize]) -> String {
     object([
         ("name", label(&motion.name)),
-        ("times", Grid::encoded(frames.iter().map(|i| motion.times[*i]), TIME_STEPS)),
+        ("times", on_grid(frames.iter().map(|i| motion.times[*i]), TIME_STEPS)),
         ("bodies", list(motion.bodies.iter().map(|b| body(b, frames)))),
         ("links", list(motion.links.iter().map(|l| link(l, frames)))),
         ("forces", list(motion.forces.iter().map(|f| force(f, frames)))),
@@ -149,7 +144,13 @@ fn case(motion: &MovingCase, frames: &[usize]) -> String {
 /// The values at the kept frames; the last one stays where there are too few.
 fn at_frames<T>(values: &[T], frames: &[usize], of: impl Fn(&T) -> f64) -> String {
     let values: Vec<f64> = frames.iter().filter_map(|i| values.get(*i).or(values.last()).map(&of)).collect();
-    Grid::encoded(values.iter().copied(), STEPS)
+    on_grid(values.iter().copied(), STEPS)
+}
+
+/// The columns of pairs of points, or of a point and a force.
+fn pairs(values: &[[[f64; 2]; 2]], frames: &[usize]) -> String {
+    let column = |(part, k): (usize, usize)| at_frames(values, frames, |pair| pair[part][k]);
+    list([(0, 0), (0, 1), (1, 0), (1, 1)].map(column))
 }
 
 fn body(body: &MovingBody, frames: &[usize]) -> String {
@@ -164,16 +165,17 @@ fn body(body: &MovingBody, frames: &[usize]) -> String {
 }
 
 fn outline(outline: &Outline) -> String {
-    let (name, numbers) = match outline {
-        Outline::Segment { from, to } => ("rod", vec![from[0], from[1], to[0], to[1]]),
-        Outline::Cord { from, to } => ("cord", vec![from[0], from[1], to[0], to[1]]),
-        Outline::Circle { centre, radius, is_hollow } => {
-            (if *is_hollow { "ring" } else { "circle" }, vec![centre[0], centre[1], *radius])
+    let (name, radius) = match outline {
+        Outline::Segment { .. } => ("rod", None),
+        Outline::Cord { .. } => ("cord", None),
+        Outline::Circle { radius, is_hollow, .. } => {
+            (if *is_hollow { "ring" } else { "circle" }, Some(*radius))
         }
-        Outline::Polygon(corners) => ("polygon", corners.iter().flatten().copied().collect()),
-        Outline::Point(at) => ("point", at.to_vec()),
+        Outline::Polygon(_) => ("polygon", None),
+        Outline::Point(_) => ("point", None),
     };
-    list(std::iter::once(string(name)).chain(numbers.into_iter().map(number)))
+    let numbers = outline.points().into_iter().flatten().chain(radius).map(number);
+    list(std::iter::once(string(name)).chain(numbers))
 }
 
 fn link(link: &MovingLink, frames: &[usize]) -> String {
@@ -181,20 +183,17 @@ fn link(link: &MovingLink, frames: &[usize]) -> String {
         LinkKind::Spring => "spring",
         LinkKind::Damper => "damper",
     };
-    let column = |end: usize, k: usize| at_frames(&link.ends, frames, |ends| ends[end][k]);
-    let ends = list([column(0, 0), column(0, 1), column(1, 0), column(1, 1)]);
-    object([("name", label(&link.name)), ("kind", string(kind)), ("ends", ends)])
+    object([("name", label(&link.name)), ("kind", string(kind)), ("ends", pairs(&link.ends, frames))])
 }
 
 fn force(force: &MovingForce, frames: &[usize]) -> String {
-    let column = |part: usize, k: usize| at_frames(&force.samples, frames, |sample| sample[part][k]);
     let style = force.kind.style();
     object([
         ("kind", string(force.kind.name())),
         ("dashes", string(style.dashes)),
         ("thickness", number(style.thickness)),
         ("symbol", label(&force.symbol)),
-        ("samples", list([column(0, 0), column(0, 1), column(1, 0), column(1, 1)])),
+        ("samples", pairs(&force.samples, frames)),
     ])
 }
 

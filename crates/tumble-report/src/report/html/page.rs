@@ -71,7 +71,7 @@ pub(crate) fn page(report: &Report) -> String {
 }
 
 /// The sections with their data, for a page that is there already.
-pub(crate) fn parts(report: &Report) -> String {
+pub fn parts(report: &Report) -> String {
     let mut page = Page::default();
     let sections = page.sections(report).map(|section| json::string(&section));
     let (plots, motions) = (json::list(page.plots), json::list(page.motions));

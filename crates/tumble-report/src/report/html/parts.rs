@@ -85,10 +85,9 @@ impl Writer for Page {
         let description = description(plot);
         let drawing = self.inline(&plot.figure.small_svg().described(description.clone()));
         self.plots.push(plot_data(plot, &description));
-        let (number, title) = (self.plots.len() - 1, plot.figure.title.to_plain());
-        let name = if title.is_empty() { "Curves" } else { &title };
+        let (number, name) = (self.plots.len() - 1, plot.figure.title.to_plain_or("Curves"));
         let class =
-            format!("plot\" data-plot=\"{number}\" data-name=\"{}", tumble_drawing::svg::escape(name));
+            format!("plot\" data-plot=\"{number}\" data-name=\"{}", tumble_drawing::svg::escape(&name));
         self.figure(&class, "sheet still", &drawing, &plot.caption)
     }
 
