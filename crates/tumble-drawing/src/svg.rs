@@ -29,19 +29,19 @@ pub struct Svg {
     /// Elements in drawing order, first at the back.
     pub children: Vec<Element>,
     /// What a narrow page shows in place of the whole, from top to bottom; none if the whole is narrow enough.
-    pub parts: Vec<Part>,
+    pub parts: Vec<Excerpt>,
 }
 
 /// A part of a broad drawing for narrow pages.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Part {
+pub enum Excerpt {
     /// What the drawing has there, in pixels.
     Cut(Rect),
     /// The same as somewhere in the drawing, set narrower.
     Drawn(Box<Svg>),
 }
 
-impl Part {
+impl Excerpt {
     /// As an element of a page; a cut shows what has the name.
     fn inline(&self, drawing: &str) -> Element {
         let (area, content) = match self {

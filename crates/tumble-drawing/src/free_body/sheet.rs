@@ -6,7 +6,7 @@ use crate::curves::no_data;
 use crate::heading::Heading;
 use crate::outline::Plane;
 use crate::rect::Rect;
-use crate::svg::{Part, Svg};
+use crate::svg::{Excerpt, Svg};
 use crate::text::Label;
 use crate::theme::{GAP, MARGIN, SMALL};
 
@@ -132,15 +132,15 @@ impl<'a> Layout<'a> {
     }
 
     /// The title, the panels and the key below each other.
-    fn parts(&self) -> Vec<Part> {
+    fn parts(&self) -> Vec<Excerpt> {
         let part = |height: f64, content| {
             let mut part = Svg::on_paper(NARROW, height, "");
             part.push(content);
-            Part::Drawn(Box::new(part))
+            Excerpt::Drawn(Box::new(part))
         };
         let heading = Heading::new(&self.sheet.shown_title(), NARROW);
         let key = Key::new(&self.groups(), &self.captions(), NARROW - 2.0 * (MARGIN + INSET));
-        let panels = self.panels.iter().map(|panel| Part::Cut(panel.frame.grown(INSET / 2.0)));
+        let panels = self.panels.iter().map(|panel| Excerpt::Cut(panel.frame.grown(INSET / 2.0)));
         std::iter::once(part(heading.bottom(), heading.draw()))
             .chain(panels)
             .chain([part(key.height + MARGIN, key.draw([MARGIN + INSET, 0.0]))])

@@ -2,7 +2,7 @@
 
 use crate::outline::{Outline, Plane, Pose};
 use crate::rect::Rect;
-use crate::svg::Part;
+use crate::svg::Excerpt;
 use crate::text::Label;
 
 use super::panel::Drawing;
@@ -252,7 +252,7 @@ fn broad_sheets_have_parts_that_fit_a_phone() {
     let cuts: Vec<Rect> = svg
         .parts
         .iter()
-        .filter_map(|part| if let Part::Cut(area) = part { Some(*area) } else { None })
+        .filter_map(|part| if let Excerpt::Cut(area) = part { Some(*area) } else { None })
         .collect();
     for (cut, panel) in cuts.iter().zip(&layout.panels) {
         assert!(cut.width <= 444.0 && cut.x < panel.frame.x && cut.right() > panel.frame.right());
