@@ -16,14 +16,21 @@ const NOTHING: f64 = 1e-14;
 /// Digits of a residual: none of it is verified, its size is what tells.
 const SIZE: usize = 2;
 
+const WHAT_IT_SAYS: &str = "Energy changes by the work of the loads without potential energy, momentum by the impulses of all loads. The residual is rounding, \
+     and what the integration left out.";
+
+/// A run whose digits have ended has none at its end.
+fn unverified(case: &Case) -> Option<Text> {
+    let (until, end) = (case.verified_until(), case.run.end()?);
+    let words = || Text::from("Digits are verified up to ").and(quantity(until, "s"));
+    (until.is_finite() && until < end)
+        .then(|| words().and("; what comes later is one of the motions that start almost alike."))
+}
+
 pub(super) fn of(study: &Study, case: &Case) -> Option<BalancePart> {
     let balance = case.balance.as_ref()?;
     Some(BalancePart {
-        intro: vec![
-            "Energy changes by the work of the loads without potential energy, momentum by the impulses of all loads. The residual is \
-             rounding, and what the integration left out."
-                .into(),
-        ],
+        intro: std::iter::once(WHAT_IT_SAYS.into()).chain(unverified(case)).collect(),
         tables: vec![balances(balance), contributions(study, &case.run.equations, balance)],
         plots: energies(study, balance).into_iter().chain(residual(balance, case.accuracy.value())).collect(),
     })

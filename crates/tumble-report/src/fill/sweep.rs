@@ -1,7 +1,8 @@
 //! What a report says of a sweep as a whole.
 
 use tumble_drawing::{CurveFigure, Label, Range};
-use tumble_scene::{Question, Study};
+use tumble_mech::Extreme;
+use tumble_scene::{Question, Study, When};
 
 use super::findings::with_digits;
 use super::names::{quantity, quantity_to};
@@ -49,8 +50,13 @@ pub(super) fn findings(study: &Study, runs: Runs<'_>) -> Vec<Text> {
         let own = runs.survey.located.iter().filter(|located| located.index == index);
         let parts: Vec<Text> = own.map(|located| located_words(study, located)).collect();
         let parts = if parts.is_empty() { among(index, runs).into_iter().collect() } else { parts };
-        let that = symbols::called(study, &symbols, &question.that.text);
-        let head = Text::from(that).capitalised().and(format!(" ({}) is ", spoken(&question.name)));
+        let which = match question.at {
+            When::Extreme { which: Extreme::Greatest, .. } => "The greatest ",
+            When::Extreme { which: Extreme::Least, .. } => "The least ",
+            When::End | When::At(_) => "",
+        };
+        let that = Text::from(which).and(symbols::called(study, &symbols, &question.that.text));
+        let head = that.capitalised().and(format!(" ({}) is ", spoken(&question.name)));
         let joined = parts.into_iter().reduce(|all, part| all.and("; ").and(part));
         joined.map(|parts| head.and(parts).and("."))
     };
@@ -78,8 +84,8 @@ fn place_words(place: &Optimum, unit: &str) -> Text {
         return quantity(at, unit).and(", where the sweep ends");
     };
     if place.made == 0 {
-        let between = Text::from(", between the runs with ").and(quantity(low, unit)).and(" and ");
-        return quantity(at, unit).and(between).and(quantity(high, unit));
+        let beside = Text::from(" (beside it in the sweep: ").and(quantity(low, unit)).and(" and ");
+        return quantity(at, unit).and(beside).and(quantity(high, unit)).and(")");
     }
     let held = digits::digits(at, (at - low).max(high - at));
     let were = if place.made == 1 { "was" } else { "were" };
