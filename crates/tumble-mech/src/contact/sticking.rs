@@ -98,9 +98,27 @@ pub(super) struct Reduced {
 impl Rough<'_> {
     /// Pushes that every condition holds for; `None` if none were found.
     pub(super) fn solve(&self) -> Option<Pushes> {
-        let found = self.direct().or_else(|| self.one_of_all()).or_else(|| self.one_of_all_sets())?;
-        let found = self.strained(&found).unwrap_or(found);
-        Some(self.unpressed(&found).unwrap_or(found))
+        self.solve_or(&[])
+    }
+
+    /// The same with a choice that is likely before all are tried.
+    pub(super) fn solve_or(&self, likely: &[Grip]) -> Option<Pushes> {
+        let found = self.direct().or_else(|| self.chosen(likely));
+        let found = found.or_else(|| self.one_of_all()).or_else(|| self.one_of_all_sets())?;
+        Some(self.tidied(found))
+    }
+
+    /// The solution for a choice in which what slips already goes on, if it is one.
+    pub(super) fn chosen(&self, grips: &[Grip]) -> Option<Pushes> {
+        let goes_on =
+            |(patch, grip): (&Patch, &Grip)| patch.slips.is_none_or(|way| *grip == Grip::Slides(way));
+        let is_one = grips.len() == self.patches.len() && self.patches.iter().zip(grips).all(goes_on);
+        if is_one { self.allowed(grips).filter(|found| self.all_follow(found)) } else { None }
+    }
+
+    /// The same without trying all choices, which may take long.
+    pub(super) fn solve_directly(&self) -> Option<Pushes> {
+        self.direct().map(|found| self.tidied(found))
     }
 
     fn direct(&self) -> Option<Pushes> {
@@ -109,6 +127,11 @@ impl Rough<'_> {
         let found = self.allowed(&start).or_else(|| self.least_friction()).or_else(|| self.put_right(start));
         let found = found.or_else(|| self.put_right(self.swept()));
         found.or_else(|| self.by_pivoting(0)).or_else(|| self.by_pivoting(1))
+    }
+
+    fn tidied(&self, found: Pushes) -> Pushes {
+        let found = self.strained(&found).unwrap_or(found);
+        self.unpressed(&found).unwrap_or(found)
     }
 
     /// The solution for a choice, if friction allows it.
