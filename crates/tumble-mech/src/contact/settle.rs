@@ -104,6 +104,10 @@ struct Settling<'a> {
     /// What the impacts of a Zeno sequence that are not followed come to, less what the forces of the contacts do meanwhile; friction of what
     /// slides has none then. N s.
     cut_off: DVector<f64>,
+    /// How long those take that were ended before what lasts was found, s.
+    bounced: f64,
+    /// Whether there have been such since the last impact.
+    is_ended: bool,
     /// How many impacts there have been.
     rounds: usize,
     /// Whether this is a check run, and rounding has a say in what the impacts come to.
@@ -171,7 +175,7 @@ impl Equations {
         settling.pass_corners(jump)?;
         settling.impacts(touched, jump)?;
         let (lasting, zeno) = settling.settled(touched, jump)?;
-        if zeno.is_none() {
+        if zeno.is_none() && settling.bounced == 0.0 {
             // Rounding of what stands.
             settling.cut_off.fill(0.0);
         }
@@ -225,6 +229,8 @@ impl<'a> Settling<'a> {
             part,
             impulses,
             cut_off,
+            bounced: 0.0,
+            is_ended: false,
             rounds: 0,
             speed,
             then,
@@ -262,17 +268,17 @@ impl<'a> Settling<'a> {
     }
 
     /// Which contacts last, of those that stand still or will after a Zeno sequence; their velocities are made to
-    /// stand.
+    /// stand. `None` where the Zeno sequence had to be ended first: then it is looked at again.
     fn lasting(
         &mut self,
         touched: &Touched,
         zeno: Option<&Ending>,
         jump: &mut Jump<Mode>,
-    ) -> Result<Lasting, Reason> {
+    ) -> Result<Option<Lasting>, Reason> {
         let members = self.members(zeno);
         let is_pressed = !self.pressed(jump).is_empty();
         if members.is_empty() && !is_pressed {
-            return Ok(Lasting::default());
+            return Ok(Some(Lasting::default()));
         }
         // An impact at the same instant changes what the forces go on to do: that one was falling says nothing then.
         let is_calm = self.impulses.amax() == 0.0;
@@ -302,7 +308,7 @@ impl<'a> Settling<'a> {
         let lasting = Lasting { modes: found, rubbing: None };
         let stop = standing(&self.touch.response, &self.rates(), &lasting.held());
         self.stop(&stop.ok_or_else(|| self.unsolved("contact"))?, jump)?;
-        Ok(lasting)
+        Ok(Some(lasting))
     }
 
     /// Of some contacts that stand still, those that are held and those that then stay by themselves, with the
@@ -329,8 +335,9 @@ impl<'a> Settling<'a> {
     /// Writes what was found into the jump.
     fn arrange(&self, lasting: Lasting, zeno: Option<Ending>, jump: &mut Jump<Mode>) {
         let Lasting { modes: lasting, rubbing } = lasting;
-        let wake = self.meanwhile(zeno.as_ref());
-        jump.early = zeno.as_ref().map_or(0.0, |zeno| zeno.slow.time).max(jump.early);
+        let left = zeno.as_ref().map_or(0.0, |zeno| zeno.time);
+        let wake = self.resolved(self.bounced + left);
+        jump.early = zeno.as_ref().map_or(0.0, |zeno| zeno.slow.time).max(self.bounced).max(jump.early);
         jump.wake = wake.map(|time| self.now.time + time).or(jump.wake);
         let mut members: BTreeSet<usize> = self.part.iter().copied().collect();
         members.extend(zeno.into_iter().flat_map(|zeno| zeno.members));

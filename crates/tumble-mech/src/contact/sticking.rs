@@ -12,11 +12,12 @@
 //! A compliant surface presses with a force that is known, and part of b: of its contacts only the friction is looked for, with that load
 //! in the place of z_n: what sticks is held by up to the sum of `mu_s` times the loads of all points that slip alike.
 
+mod pivoting;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::complementarity::{DEPENDENT, independent, pushing, standing, standing_together};
 use crate::contact::grip::{Grip, Way};
-use crate::contact::lemke;
 use crate::product::product;
 
 /// Friction that is beyond what it can be by less than this part has all that it can be.
@@ -97,15 +98,40 @@ pub(super) struct Reduced {
 impl Rough<'_> {
     /// Pushes that every condition holds for; `None` if none were found.
     pub(super) fn solve(&self) -> Option<Pushes> {
+        self.solve_or(&[])
+    }
+
+    /// The same with a choice that is likely before all are tried.
+    pub(super) fn solve_or(&self, likely: &[Grip]) -> Option<Pushes> {
+        let found = self.direct().or_else(|| self.chosen(likely));
+        let found = found.or_else(|| self.one_of_all()).or_else(|| self.one_of_all_sets())?;
+        Some(self.tidied(found))
+    }
+
+    /// The solution for a choice in which what slips already goes on, if it is one.
+    pub(super) fn chosen(&self, grips: &[Grip]) -> Option<Pushes> {
+        let goes_on =
+            |(patch, grip): (&Patch, &Grip)| patch.slips.is_none_or(|way| *grip == Grip::Slides(way));
+        let is_one = grips.len() == self.patches.len() && self.patches.iter().zip(grips).all(goes_on);
+        if is_one { self.allowed(grips).filter(|found| self.all_follow(found)) } else { None }
+    }
+
+    /// The same without trying all choices, which may take long.
+    pub(super) fn solve_directly(&self) -> Option<Pushes> {
+        self.direct().map(|found| self.tidied(found))
+    }
+
+    fn direct(&self) -> Option<Pushes> {
         let start = |patch: &Patch| patch.slips.map_or(Grip::Sticks, Grip::Slides);
         let start: Vec<Grip> = self.patches.iter().map(start).collect();
         let found = self.allowed(&start).or_else(|| self.least_friction()).or_else(|| self.put_right(start));
         let found = found.or_else(|| self.put_right(self.swept()));
-        let found = found.or_else(|| self.put_right(self.as_a_whole(0)?));
-        let found = found.or_else(|| self.put_right(self.as_a_whole(1)?));
-        let found = found.or_else(|| self.one_of_all()).or_else(|| self.one_of_all_sets())?;
+        found.or_else(|| self.by_pivoting(0)).or_else(|| self.by_pivoting(1))
+    }
+
+    fn tidied(&self, found: Pushes) -> Pushes {
         let found = self.strained(&found).unwrap_or(found);
-        Some(self.unpressed(&found).unwrap_or(found))
+        self.unpressed(&found).unwrap_or(found)
     }
 
     /// The solution for a choice, if friction allows it.
@@ -130,11 +156,15 @@ impl Rough<'_> {
         if !grips.contains(&Grip::Follows) {
             return None;
         }
-        let stays = |found: &Pushes, patch: &Patch| {
+        self.allowed(&grips).filter(|found| self.all_follow(found))
+    }
+
+    /// Whether what is to be kept in its place by others does not move, where anything presses it.
+    fn all_follow(&self, found: &Pushes) -> bool {
+        let mut following = self.patches.iter().zip(&found.grips).filter(|(_, grip)| **grip == Grip::Follows);
+        following.all(|(patch, _)| {
             found.then[patch.row()].abs() <= self.zero || self.normal_of(patch, &found.pushes) <= 0.0
-        };
-        let follow = || self.patches.iter().zip(&grips).filter(|(_, grip)| **grip == Grip::Follows);
-        self.allowed(&grips).filter(|found| follow().all(|(patch, _)| stays(found, patch)))
+        })
     }
 
     /// The same with friction nowhere that nothing presses, if what is held otherwise keeps it in its place: where loads only begin, normals that
@@ -276,55 +306,6 @@ impl Rough<'_> {
             None if normal > 0.0 => Grip::Strains(Way::of(-along)),
             None => Grip::Sticks,
         }
-    }
-
-    /// The choice of the whole problem, with one of the coefficients of each surface for both. In order, its unknowns are the pushes along normals
-    /// and, of each patch that may stick, friction one way and the other, and how fast it slips: `0 <= s + w_t`, `0 <= s - w_t` and `0 <= mu z_n -
-    /// z_t+ - z_t-` are the conditions that these are paired with.
-    fn as_a_whole(&self, coefficient: usize) -> Option<Vec<Grip>> {
-        let free: Vec<&Patch> = self.patches.iter().filter(|patch| patch.slips.is_none()).collect();
-        let (n, size) = (self.contacts.len(), self.contacts.len() + 3 * free.len());
-        let mut push = DMatrix::zeros(self.response.nrows(), size);
-        self.contacts.iter().enumerate().for_each(|(j, contact)| push[(*contact, j)] = 1.0);
-        let mut pushes = self.given.clone();
-        for patch in &self.patches {
-            let Some(way) = patch.slips else { continue };
-            for &(contact, row) in &patch.contacts {
-                let part = -f64::from(way.sign()) * patch.friction[1];
-                let own = self.contacts.iter().position(|known| *known == contact);
-                own.into_iter().for_each(|j| push[(row, j)] = part);
-                pushes[row] = part * self.normal(&self.given, contact);
-            }
-        }
-        for (index, patch) in free.iter().enumerate() {
-            push[(patch.row(), n + 3 * index)] = 1.0;
-            push[(patch.row(), n + 3 * index + 1)] = -1.0;
-        }
-        let (moved, without) = (product(self.response, &push), &self.without + self.response * &pushes);
-        let mut m = DMatrix::zeros(size, size);
-        let mut q = DVector::zeros(size);
-        for (i, contact) in self.contacts.iter().enumerate() {
-            m.row_mut(i).copy_from(&moved.row(*contact));
-            q[i] = without[*contact];
-        }
-        for (index, patch) in free.iter().enumerate() {
-            let [one, other, slip] = [0, 1, 2].map(|part| n + 3 * index + part);
-            for (row, sign) in [(one, 1.0), (other, -1.0)] {
-                m.row_mut(row).copy_from(&(moved.row(patch.row()) * sign));
-                m[(row, slip)] = 1.0;
-                m[(slip, row)] = -1.0;
-                q[row] = sign * without[patch.row()];
-            }
-            for (contact, _) in &patch.contacts {
-                let own = self.contacts.iter().position(|known| known == contact);
-                own.into_iter().for_each(|j| m[(slip, j)] = patch.friction[coefficient]);
-                q[slip] += patch.friction[coefficient] * self.normal(&self.given, *contact);
-            }
-        }
-        let z = lemke::solve(&m, &q)?;
-        pushes += push * &z;
-        let then = &self.without + self.response * &pushes;
-        Some(self.patches.iter().map(|patch| self.swept_grip(patch, &pushes, &then)).collect())
     }
 
     /// Pushes of either sign with which just these normals, and those that stick, stand still.
@@ -535,6 +516,18 @@ mod tests {
             assert!(rough.solve().is_some(), "{index}");
         }
         assert!(alone > 5, "{alone}");
+    }
+
+    /// With more surfaces than all choices are tried of, and many more rows than are independent: there are pushes for all of these problems, and
+    /// pivoting finds them, of which others that stick by other rows may not be within what friction can be.
+    #[test]
+    fn what_pivoting_finds_is_kept() {
+        let mut draw = Draw(47);
+        for index in 0..300 {
+            let mut rough = random(&mut draw, [8 + index % 3, 4 + index % 5], 0.2 + 0.002 * index as f64);
+            rough.patches.iter_mut().for_each(|patch| patch.slips = None);
+            assert!(rough.solve().is_some(), "{index}");
+        }
     }
 
     /// Where more contacts bear a load than are needed, forces are found with which some have all the friction they can have: these do not slide if

@@ -104,6 +104,9 @@ impl Settling<'_> {
         }
         let mut rates = self.rates();
         group.iter().for_each(|position| rates[*position] = 0.0);
+        // What is taken to have stopped does not slip.
+        let still = slipping.iter().filter(|patch| patch.slips.is_none());
+        still.flat_map(|patch| &patch.contacts).for_each(|(_, row)| rates[*row] = 0.0);
         let patches = self.patches(group, false);
         let of = |without: DVector<f64>, zero: f64| Rough { zero, ..self.rough(group, &patches, without) };
         let still = STANDS * fastest;
@@ -112,7 +115,9 @@ impl Settling<'_> {
             let Pushes { grips, held, .. } =
                 of(&rates + &accelerations * moment, moment * self.zero()).solve()?;
             let exact = of(rates.clone(), still);
-            exact.stopped(&grips, &held).filter(|found| exact.is_sound(found))
+            let sound = |found: &Pushes| exact.is_sound(found);
+            // What only forces would press has no part in the impulses.
+            exact.stopped(&grips, &held).filter(sound).or_else(|| exact.attempt(&grips).filter(sound))
         };
         let Some(compressed) = MOMENTS.iter().find_map(limit) else { return Ok(none) };
         let impulsive = (&self.touch.response * &compressed.pushes).amax() > IMPULSIVE * slowest;

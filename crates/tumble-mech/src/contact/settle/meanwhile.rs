@@ -4,26 +4,57 @@
 //! momentum with which it now rises, which gravity takes away. Friction is mu of that, and done at once, as in any impact: so the
 //! energy only falls. If only what is missing of `mu N T` came now, it would push what slides on at first: the energy would rise for as long as T.
 //! Until T has passed the surfaces have no friction; what is left out is of the order of its square.
+//!
+//! That friction may stop what slides, or turn it round, and others press then. Impulses that went on as if nothing had stopped would push slips on
+//! against friction, and give energy. So where contacts come to press, stick or slide otherwise, all is done as one impact: compression of
+//! several with `w = u + a T + A z`, u the rates now, a what forces do without contacts, and T long enough that nothing bounces any more.
 
 use nalgebra::DVector;
 use tumble_ode::Reason;
 
 use super::ending::Ending;
 use super::rubbing::Rubbing;
-use super::{Lasting, Settling};
-use crate::contact::complementarity::standing;
+use super::{Lasting, Settling, Touched};
+use crate::contact::complementarity::{independent, standing};
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::Grip;
+use crate::contact::sticking::{Patch, Pushes, Rough};
 use crate::mode::Mode;
 use crate::record::Jump;
 
-/// A slip that is left with less than this part of what friction takes of it meanwhile stops: what is left out is much less.
-const LEFT: f64 = 1e-6;
+/// Impacts that are not followed are looked at for as many times the time that they were found to take, each twice the one before.
+const LONGER: u32 = 10;
+
+/// How impacts end that are not followed, as one impact.
+pub(super) struct Ended {
+    patches: Vec<Patch>,
+    /// Impulses until then, with those of forces that act meanwhile, and the rates that are left.
+    found: Pushes,
+    /// Time until then, s.
+    time: f64,
+}
+
+impl Ended {
+    /// Who sticks and who slides then, by patch.
+    pub(super) fn grips(&self) -> &[Grip] {
+        &self.found.grips
+    }
+
+    /// Whether contacts press, stick and slide then as in what lasts.
+    pub(super) fn is_as(&self, lasting: &Pushes) -> bool {
+        self.found.grips == lasting.grips && self.found.held == lasting.held
+    }
+}
 
 impl Settling<'_> {
     /// For how long impacts go on that are not followed, s; `None` where nothing does, or where it is no time among those of numbers.
     pub(super) fn meanwhile(&self, zeno: Option<&Ending>) -> Option<f64> {
-        zeno.map(|zeno| zeno.time).filter(|time| self.now.time + time > self.now.time)
+        self.resolved(zeno?.time)
+    }
+
+    /// A time, if it is one among those of numbers.
+    pub(super) fn resolved(&self, time: f64) -> Option<f64> {
+        (self.now.time + time > self.now.time).then_some(time)
     }
 
     /// Lets friction of what slides do at once what it does until the impacts have ended.
@@ -68,18 +99,68 @@ impl Settling<'_> {
         Some(standing(&self.touch.response, &without, kept).or_else(with_friction)? + along)
     }
 
-    /// Pairs that slip and will have stopped when a time has passed.
-    pub(super) fn stopping_within(&self, Rubbing { patches, found, .. }: &Rubbing, time: f64) -> Vec<usize> {
-        let stops = |row: usize, grip: &Grip| match grip {
-            Grip::Slides(way) => {
-                let now = self.touch.slips.rate[row - self.touch.pairs.len()];
-                let rubbed = (found.pushes[row] * self.touch.response[(row, row)] * time).abs();
-                f64::from(way.sign()) * (now + found.then[row] * time) <= LEFT * rubbed
-            }
-            _ => false,
+    /// How impacts of some contacts end that are not followed. They may go on for longer than was said, where others press then than those that the
+    /// time was found with.
+    pub(super) fn ended(
+        &self,
+        some: &[usize],
+        zeno: &Ending,
+        touched: &Touched,
+        jump: &Jump<Mode>,
+    ) -> Option<Ended> {
+        let patches = self.slipping_patches(some, touched, jump);
+        let times = (0..LONGER).map(|doubled| zeno.time * f64::from(1 << doubled));
+        let mut each = times.map_while(|time| Some((self.pushes_within(some, &patches, time)?, time)));
+        let first = each.next()?;
+        let is_over = |(found, time): &(Pushes, f64)| {
+            let bounces = |position: &usize| found.then[*position] > time * self.zero();
+            !some.iter().any(|position| bounces(position) && !self.stands(*position))
         };
-        let slip = patches.iter().zip(&found.grips).filter(|(patch, _)| patch.slips.is_some());
-        let stopping = slip.filter(|(patch, grip)| stops(patch.row(), grip));
-        stopping.flat_map(|(patch, _)| patch.contacts.iter().map(|(_, row)| self.slipping(*row))).collect()
+        let over = if is_over(&first) { None } else { each.find(is_over) };
+        let (found, time) = over.unwrap_or(first);
+        Some(Ended { patches, found, time })
+    }
+
+    /// Whether forces may hold some contacts as their impacts end.
+    pub(super) fn may_last(&self, some: &[usize], ended: &Ended) -> bool {
+        let found = self.forces(some, &ended.patches).chosen(&ended.found.grips);
+        found.is_some_and(|found| ended.is_as(&found))
+    }
+
+    /// Ends impacts that are not followed at once.
+    pub(super) fn end_at_once(&mut self, ended: &Ended, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        self.count_round()?;
+        let impulses = self.without_forces_meanwhile(ended).ok_or_else(|| self.unsolved("contact"))?;
+        self.bounced += ended.time;
+        self.is_ended = true;
+        self.stop(&impulses, jump)
+    }
+
+    /// Impulses of some contacts with which nothing closes when a time has passed, N s. Friction is taken as in any impact of several: what it
+    /// stops, it stops, and does not push on.
+    fn pushes_within(&self, some: &[usize], patches: &[Patch], time: f64) -> Option<Pushes> {
+        let free: Vec<Patch> = patches.iter().map(|patch| Patch { slips: None, ..patch.clone() }).collect();
+        let forces = self.forces(some, &free);
+        let mut rates = self.rates();
+        // What is taken to have stopped does not slip.
+        let stopped = patches.iter().filter(|patch| patch.slips.is_none()).flat_map(|patch| &patch.contacts);
+        stopped.for_each(|(_, row)| rates[*row] = 0.0);
+        let without = rates + &forces.without * time;
+        Rough { without, loads: &forces.loads * time, zero: forces.zero * time, ..forces }.solve_directly()
+    }
+
+    /// Impulses of impacts that end, but for what forces along the normals do meanwhile: friction of what slides, with what makes stand what is to
+    /// stand.
+    fn without_forces_meanwhile(&self, Ended { patches, found, .. }: &Ended) -> Option<DVector<f64>> {
+        let mut along = DVector::zeros(found.pushes.len());
+        let sliding = patches.iter().zip(&found.grips).filter(|(_, grip)| matches!(grip, Grip::Slides(_)));
+        for (position, row) in sliding.flat_map(|(patch, _)| &patch.contacts) {
+            if found.held.contains(position) {
+                along[*row] = found.pushes[*row];
+            }
+        }
+        let rates = self.rates() + &self.touch.response * &along;
+        let kept = independent(&self.touch.response, [&found.held[..], &found.holding].concat());
+        Some(standing(&self.touch.response, &rates, &kept)? + along)
     }
 }

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
 use super::ending::Ending;
+use super::meanwhile::Ended;
 use super::{Lasting, STANDS, Settling, Touched};
 use crate::contact::change::Change;
 use crate::contact::complementarity::{independent, standing};
@@ -13,6 +14,7 @@ use crate::contact::pair::Alike;
 use crate::contact::sticking::{Patch, Pushes, Rough};
 use crate::contact::touch::stacked_column;
 use crate::contact::watched::Watched;
+use crate::laws::impact::Painleve;
 use crate::mode::Mode;
 use crate::record::{Happening, Jump};
 
@@ -77,10 +79,11 @@ impl Settling<'_> {
         (0..slips.of.len()).filter(stands).map(|slip| self.touch.pairs.len() + slip).collect()
     }
 
-    /// Who sticks and who slides of some contacts that stand still; `None` where no forces are found, or one of `all` would close.
+    /// Who sticks and who slides of some contacts that stand still, by a choice that is likely before all are tried; `None` where no forces are found, or one of `all` would close.
     fn rub(
         &self,
         [some, all]: [&[usize]; 2],
+        likely: &[Grip],
         touched: &Touched,
         jump: &Jump<Mode>,
     ) -> Result<Option<Rubbing>, Reason> {
@@ -104,15 +107,29 @@ impl Settling<'_> {
         let rough = |patches: &[Patch]| self.forces(some, patches);
         let found = forced.as_ref().and_then(|forced| {
             let rough = rough(forced);
-            rough.solve().filter(|found| moves_as_forced(&rough, found))
+            rough.solve_or(likely).filter(|found| moves_as_forced(&rough, found))
         });
         let forced = forced.filter(|_| found.is_some()).unwrap_or_else(|| patches.clone());
-        let found = found.or_else(|| rough(&patches).solve());
+        let found = found.or_else(|| rough(&patches).solve_or(likely));
         self.refuse_wedged_among(some, &patches, found.as_ref(), touched, jump)?;
         let Some(found) = found else { return Ok(None) };
         let closes = closes(&found);
         let forced = forced.iter().map(|patch| patch.slips).collect();
         Ok((!closes).then_some(Rubbing { patches, forced, found }))
+    }
+
+    /// The same of `some`, or else of all.
+    fn rub_some_or_all<'b>(
+        &self,
+        [some, all]: [&'b [usize]; 2],
+        likely: &[Grip],
+        touched: &Touched,
+        jump: &Jump<Mode>,
+    ) -> Result<Option<(&'b [usize], Rubbing)>, Reason> {
+        if let Some(rubbing) = self.rub([some, all], likely, touched, jump)? {
+            return Ok(Some((some, rubbing)));
+        }
+        Ok(self.rub([all, all], likely, touched, jump)?.map(|rubbing| (all, rubbing)))
     }
 
     /// Accelerations of all gaps and slips without forces of contacts that last.
@@ -172,42 +189,37 @@ impl Settling<'_> {
         zeno: Option<&Ending>,
         touched: &Touched,
         jump: &mut Jump<Mode>,
-    ) -> Result<Lasting, Reason> {
-        let (some, rubbing) = match self.rub([some, all], touched, jump)? {
-            Some(rubbing) => (some, rubbing),
-            None => {
-                let found = self.rub([all, all], touched, jump)?;
-                (all, found.ok_or_else(|| self.without_forces(all, touched, jump))?)
-            }
+    ) -> Result<Option<Lasting>, Reason> {
+        let ended = zeno.filter(|_| !self.is_ended).and_then(|zeno| self.ended(all, zeno, touched, jump));
+        // A model that refuses what no forces hold is told of it first.
+        let is_refused = self.equations.model().painleve == Painleve::Refused;
+        if let Some(ended) = ended.as_ref().filter(|ended| !is_refused && !self.may_last(all, ended)) {
+            self.end_at_once(ended, jump)?;
+            return Ok(None);
+        }
+        let likely = ended.as_ref().map_or(&[][..], Ended::grips);
+        let rubbing = self.rub_some_or_all([some, all], likely, touched, jump);
+        let lasts = |ended: &Ended| match &rubbing {
+            Ok(Some((_, rubbing))) => ended.is_as(&rubbing.found),
+            _ => is_refused,
         };
+        if let Some(ended) = ended.filter(|ended| !lasts(ended)) {
+            self.end_at_once(&ended, jump)?;
+            return Ok(None);
+        }
+        let (some, rubbing) = rubbing?.ok_or_else(|| self.without_forces(all, touched, jump))?;
         self.refuse_undetermined(some, &rubbing)?;
         let others = self.other_motions(some, &rubbing, jump)?;
         let modes = self.held_by_friction(some, &rubbing, jump)?;
         // What was left of the rates is gone: a slip that was as small may have turned round with it, and has come to zero then.
         let turned = self.turned(&rubbing);
-        let mut stopped = turned.clone();
-        if let Some(time) = self.meanwhile(zeno) {
-            let stopping = self.stopping_within(&rubbing, time);
-            jump.early = if stopping.is_empty() { jump.early } else { time.max(jump.early) };
-            stopped.extend(stopping);
-        }
-        let is_new = |pair: &usize| !touched.stopped.contains(pair);
-        if stopped.iter().any(is_new) {
+        if turned.iter().any(|pair| !touched.stopped.contains(pair)) {
             let mut touched = touched.clone();
-            let (states, cut_off) = (jump.states.clone(), self.cut_off.clone());
-            let has_turned = turned.iter().any(is_new);
-            touched.stopped.extend(stopped);
-            let found = self.lasting_with_friction([some, all], zeno, &touched, jump);
-            if found.is_ok() || has_turned {
-                return found;
-            }
-            // What would stop in a moment cannot be stopped now: of disks that roll on side by side one would not turn on the other if both stood.
-            (jump.states, self.cut_off) = (states, cut_off);
-            self.look_again(jump)?;
-            self.then = rubbing.found.then.clone();
+            touched.stopped.extend(turned);
+            return self.lasting_with_friction([some, all], zeno, &touched, jump);
         }
         jump.record.others.extend(others);
-        Ok(Lasting { modes, rubbing: Some(rubbing) })
+        Ok(Some(Lasting { modes, rubbing: Some(rubbing) }))
     }
 
     /// Refuses what slides with different friction along one edge, or on several feet, where more contacts bear it than are needed: what each of

@@ -26,12 +26,14 @@ impl Settling<'_> {
             let stopped = touched.stopped.iter().filter(|pair| !self.is_carried_on(**pair)).chain(slow);
             let stopped = stopped.copied().collect();
             let touched = &Touched { stopped, ..touched.clone() };
-            if self.impacts_without_collision(zeno.as_ref(), touched, jump)? {
+            // Bounces that go on are ended first, which may leave other slips.
+            let is_over = zeno.is_none() || self.is_ended;
+            if is_over && self.impacts_without_collision(zeno.as_ref(), touched, jump)? {
                 self.impacts(touched, jump)?;
                 continue;
             }
             let others = jump.record.others.len();
-            let lasting = self.lasting(touched, zeno.as_ref(), jump)?;
+            let Some(lasting) = self.lasting(touched, zeno.as_ref(), jump)? else { continue };
             let mut falling = if zeno.is_none() { self.falling_back(&lasting, touched) } else { vec![] };
             falling.retain(|position| held.insert(*position));
             if zeno.is_some() {

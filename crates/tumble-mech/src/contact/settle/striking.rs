@@ -48,6 +48,7 @@ impl Settling<'_> {
             return Err(self.endless());
         }
         self.rounds += 1;
+        self.is_ended = false;
         Ok(())
     }
 
