@@ -37,7 +37,8 @@ impl Text {
     /// With a capital letter, if it begins with a word: a name with a number, `b11`, stays as it is.
     #[must_use]
     pub fn capitalised(mut self) -> Self {
-        let first = match self.pieces.first_mut() {
+        let is_said = |piece: &&mut Inline| !matches!(piece, Inline::Words(words) if words.is_empty());
+        let first = match self.pieces.iter_mut().find(is_said) {
             Some(Inline::Words(words)) => Some(words),
             Some(Inline::Label(label)) => {
                 label.runs.first_mut().filter(|run| run.face == Face::Regular).map(|run| &mut run.text)
