@@ -102,11 +102,8 @@ impl Settling<'_> {
         if !is_wedged && self.forces(group, &slipping).solve().is_some() {
             return Ok(none);
         }
-        let mut rates = self.rates();
+        let mut rates = self.rates_slipping(&slipping);
         group.iter().for_each(|position| rates[*position] = 0.0);
-        // What is taken to have stopped does not slip.
-        let still = slipping.iter().filter(|patch| patch.slips.is_none());
-        still.flat_map(|patch| &patch.contacts).for_each(|(_, row)| rates[*row] = 0.0);
         let patches = self.patches(group, false);
         let of = |without: DVector<f64>, zero: f64| Rough { zero, ..self.rough(group, &patches, without) };
         let still = STANDS * fastest;

@@ -136,16 +136,20 @@ impl Settling<'_> {
         self.stop(&impulses, jump)
     }
 
+    /// Rates of all gaps and slips, of which what is taken to have stopped does not slip.
+    pub(super) fn rates_slipping(&self, patches: &[Patch]) -> DVector<f64> {
+        let mut rates = self.rates();
+        let still = patches.iter().filter(|patch| patch.slips.is_none());
+        still.flat_map(|patch| &patch.contacts).for_each(|(_, row)| rates[*row] = 0.0);
+        rates
+    }
+
     /// Impulses of some contacts with which nothing closes when a time has passed, N s. Friction is taken as in any impact of several: what it
     /// stops, it stops, and does not push on.
     fn pushes_within(&self, some: &[usize], patches: &[Patch], time: f64) -> Option<Pushes> {
         let free: Vec<Patch> = patches.iter().map(|patch| Patch { slips: None, ..patch.clone() }).collect();
         let forces = self.forces(some, &free);
-        let mut rates = self.rates();
-        // What is taken to have stopped does not slip.
-        let stopped = patches.iter().filter(|patch| patch.slips.is_none()).flat_map(|patch| &patch.contacts);
-        stopped.for_each(|(_, row)| rates[*row] = 0.0);
-        let without = rates + &forces.without * time;
+        let without = self.rates_slipping(patches) + &forces.without * time;
         Rough { without, loads: &forces.loads * time, zero: forces.zero * time, ..forces }.solve_directly()
     }
 
