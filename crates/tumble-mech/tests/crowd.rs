@@ -11,8 +11,8 @@ use crate::common::{as_one, at, rigid};
 use tumble_expr::units::{KG, M, S};
 use tumble_expr::{Expr, Vector};
 use tumble_mech::{
-    At, Body, BodyContact, Friction, Gravity, Model, MultipleImpacts, Painleve, Run, RunError, Shape, Start,
-    Surface,
+    At, Body, BodyContact, Force, Forces, Friction, Gravity, Model, MultipleImpacts, Painleve, Run, RunError,
+    Shape, Start, Surface,
 };
 use tumble_ode::{Accuracy, Side};
 
@@ -20,6 +20,8 @@ use tumble_ode::{Accuracy, Side};
 const SIDE: f64 = 1.0;
 /// What a gap may be below zero, in parts of the side.
 const DEEP: f64 = 1e-12;
+/// A force that is none, of bodies of some kg, N: rounding.
+const PULL: f64 = 1e-8;
 /// What energy may grow by, in parts of it.
 const GAIN: f64 = 1e-11;
 
@@ -96,6 +98,18 @@ fn deepest(run: &Run, time: f64) -> f64 {
     gaps.into_iter().fold(f64::INFINITY, f64::min)
 }
 
+/// A force that pulls at a disk where it touches, if there is one: friction along the rim has no part in it.
+fn pulls(run: &Run, time: f64) -> Option<String> {
+    let forces = Forces::of(run).at(time, Side::After).expect("forces");
+    let outward = |force: &Force| {
+        let [arm, push] = [force.arm, force.force];
+        (arm[0] * push[0] + arm[1] * push[1]) / arm[0].hypot(arm[1])
+    };
+    let mut contacts = forces.iter().filter(|force| force.arm != [0.0; 2]);
+    let pull = contacts.find(|force| outward(force) > PULL)?;
+    Some(format!("`{}` pulls with {} N", pull.load, outward(pull)))
+}
+
 /// Of a time, the velocities of each body that moves and how they change, m/s, rad/s, m/s^2 and rad/s^2.
 fn moving(run: &Run, time: f64) -> Vec<(String, [Vec<f64>; 2])> {
     let observed = |vector: &Vector, rate: Expr| {
@@ -131,6 +145,9 @@ fn attack(seed: u64, is_rough: bool, until: f64) -> Result<(), String> {
         let depth = deepest(&run, time);
         if depth < -DEEP * SIDE {
             return Err(format!("a gap is {depth} at {time} s"));
+        }
+        if let Some(pull) = pulls(&run, time) {
+            return Err(format!("{pull} at {time} s"));
         }
     }
     Ok(())
@@ -183,6 +200,12 @@ fn asked(name: &str, otherwise: u64) -> u64 {
 #[test]
 fn random_disks_gain_nothing_and_pass_through_nothing() {
     attack_all(0..6, false);
+}
+
+/// As one disk rolls over another that nothing holds beside it, the forces between several of them come to zero together, and none goes on beyond it.
+#[test]
+fn where_forces_come_to_zero_together_nothing_pulls() {
+    assert_eq!(attack(5029, true, 2.25), Ok(()));
 }
 
 #[test]

@@ -80,7 +80,11 @@ pub(crate) enum Limit {
     Kept(usize),
     Always,
     /// Acceleration for each unit of the guard, and the group of what it moves.
-    IfItMoves(f64, usize),
+    IfItMoves {
+        response: f64,
+        group: usize,
+        again: bool,
+    },
     /// The group that it is measured against.
     IfBeyond(usize),
 }
@@ -94,8 +98,8 @@ impl Limit {
 
 fn limits(program: &Program, inputs: &[f64]) -> Vec<Limit> {
     let limit = |(at_zero, response): (&AtZero<()>, &Option<Arc<Tape>>)| match (at_zero, response) {
-        (AtZero::EndsIfItMoves { group, .. }, Some(response)) => {
-            Limit::IfItMoves(values(response, inputs)[0], *group)
+        (AtZero::EndsIfItMoves { group, again, .. }, Some(response)) => {
+            Limit::IfItMoves { response: values(response, inputs)[0], group: *group, again: *again }
         }
         (AtZero::EndsBeyond { group }, _) => Limit::IfBeyond(*group),
         (AtZero::Begins, _) => Limit::None,

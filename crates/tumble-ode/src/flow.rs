@@ -68,6 +68,8 @@ pub enum AtZero<F = Expr> {
         response: F,
         /// Index of the [`ScaleGroup`] of what it moves.
         group: usize,
+        /// Whether it ends the flow again where the jump that it led to has left it at zero and it goes on beyond.
+        again: bool,
     },
     /// The same, if it goes beyond zero by more than a rounding error of the group's scale; so do zeros on the way.
     EndsBeyond {
@@ -192,8 +194,8 @@ impl<F> AtZero<F> {
             Self::Ends => AtZero::Ends,
             Self::Keeps { group } => AtZero::Keeps { group: *group },
             Self::EndsBeyond { group } => AtZero::EndsBeyond { group: *group },
-            Self::EndsIfItMoves { response, group } => {
-                AtZero::EndsIfItMoves { response: of(response), group: *group }
+            Self::EndsIfItMoves { response, group, again } => {
+                AtZero::EndsIfItMoves { response: of(response), group: *group, again: *again }
             }
         }
     }

@@ -292,7 +292,7 @@ fn a_guard_that_is_kept_crosses_again_where_its_jump_left_it_away_from_zero() {
 fn the_sign_of_a_force_that_moves_nothing_need_not_be_known() {
     let rates = || vec![("x", leaf("v")), ("v", -leaf("x")), ("y", leaf("w")), ("w", -leaf("y"))];
     let held = |force: f64, coupling: f64| Guard {
-        at_zero: AtZero::EndsIfItMoves { response: Expr::one(), group: 0 },
+        at_zero: AtZero::EndsIfItMoves { response: Expr::one(), group: 0, again: false },
         ..guard("held", Expr::from(force) + Expr::from(coupling) * (leaf("x") - leaf("y")))
     };
     let jump = |at: &Crossing<'_, i32>| Jump::to(*at.mode, at.states.to_vec());

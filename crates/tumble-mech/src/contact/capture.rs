@@ -81,7 +81,7 @@ impl Equations {
             return Ok(());
         }
         let now = Now::of(at);
-        let meeting = self.meeting(&jump.mode, &jump.states, now)?.into_iter();
+        let meeting = self.meeting(&jump.mode, &jump.states, now, 1.0)?.into_iter().map(|(pair, _)| pair);
         let captured = meeting.filter(|pair| self.capture_of(*pair).is_some());
         let change = Change::Impact;
         jump.record.happened.extend(captured.map(|pair| Happening::Contact { pair, change }));

@@ -110,6 +110,8 @@ struct Settling<'a> {
     is_ended: bool,
     /// How many impacts there have been.
     rounds: usize,
+    /// Whether rounding says which of several strikes first.
+    is_unresolved: bool,
     /// Whether this is a check run, and rounding has a say in what the impacts come to.
     is_doubtful: bool,
     /// Those that the last impact has given the rate that their restitution asks for, which is not none.
@@ -213,33 +215,37 @@ impl<'a> Settling<'a> {
             let is_there = touches && equations.pairs()[pair].is_rigid() && !touched.left.contains(&pair);
             touched.closed.contains(&pair) || touched.lifted.contains(&pair) || lasts || is_there
         };
-        let part: Vec<usize> = (0..touch.pairs.len()).filter(takes_part).collect();
+        let part = (0..touch.pairs.len()).filter(takes_part).collect();
+        let is_unresolved = is_unresolved(equations, &touch, touched, now, jump);
+        let is_doubtful = is_unresolved && !equations.rounding().is_nearest();
+        let before = Self::before(equations, island, touch, now);
+        let mut settling = Self { part, is_unresolved, is_doubtful, ..before };
+        settling.doubt();
+        Ok(settling)
+    }
+
+    /// Before anything is settled, and nothing takes part.
+    fn before(equations: &'a Equations, island: &[usize], touch: Touch, now: Now<'a>) -> Self {
         let count = touch.response.nrows();
-        let speed = touch.speed.clone();
-        let then = touch.free.clone();
         let [impulses, cut_off] = [(); 2].map(|()| DVector::zeros(count));
-        let island = island.to_vec();
-        let is_doubtful =
-            !equations.rounding().is_nearest() && is_unresolved(equations, &touch, touched, now, jump);
-        let mut settling = Self {
+        Self {
             equations,
-            island,
+            island: island.to_vec(),
             now,
-            touch,
-            part,
+            part: vec![],
             impulses,
             cut_off,
             bounced: 0.0,
             is_ended: false,
             rounds: 0,
-            speed,
-            then,
-            is_doubtful,
+            speed: touch.speed.clone(),
+            then: touch.free.clone(),
+            touch,
+            is_unresolved: false,
+            is_doubtful: false,
             rebounding: vec![],
             opening: vec![],
-        };
-        settling.doubt();
-        Ok(settling)
+        }
     }
 
     /// Where rounding says which of several strikes first, contacts give back all or nothing, whichever is further from what they should: what is
@@ -286,7 +292,7 @@ impl<'a> Settling<'a> {
         let (lifted, mut without): (Vec<usize>, Vec<usize>) =
             members.iter().partition(|position| lifted(position));
         if !lifted.is_empty() {
-            let [opening, closing] = self.a_moment_later(&lifted, &without, jump);
+            let [opening, closing] = self.a_moment_later(&lifted, &without, touched, jump);
             self.opening = opening;
             without.extend(closing);
             without.sort_unstable();

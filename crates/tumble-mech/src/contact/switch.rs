@@ -14,6 +14,10 @@ use crate::mode::Mode;
 use crate::record::{Happening, Jump};
 use crate::uniqueness::Spot;
 
+/// Two that are not so many rounding errors of their gap apart may meet before bounces of either have ended that are too low to be
+/// followed: these are some rounding errors high, and must have ended long before another comes.
+const LOW: f64 = 1024.0;
+
 /// What the integrator saw of contacts, by pair.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Causes {
@@ -157,16 +161,18 @@ impl Equations {
         Ok(impulses)
     }
 
-    /// What joints, lasting contacts and bodies that meet at this instant make one island; with the pairs of bodies that touch.
+    /// What joints, lasting contacts and bodies that meet at this instant make one island; with the pairs of bodies that touch. What bounces
+    /// too low to be followed has those in its island that may come before it has ended.
     fn islands_now(
         &self,
         causes: &Causes,
         now: Now<'_>,
         jump: &Jump<Mode>,
     ) -> Result<(Vec<Vec<usize>>, Vec<usize>), Reason> {
-        let touching = self.meeting(&jump.mode, &jump.states, now)?;
+        let near = self.meeting(&jump.mode, &jump.states, now, LOW)?;
         let seen = causes.seen.iter().map(|(pair, ..)| *pair);
-        let meeting: Vec<usize> = touching.iter().copied().chain(seen).collect();
+        let meeting: Vec<usize> = near.iter().map(|(pair, _)| *pair).chain(seen).collect();
+        let touching = near.into_iter().filter(|(_, blurs)| *blurs <= 1.0).map(|(pair, _)| pair).collect();
         Ok((self.islands_with(&jump.mode, &jump.mode.bodies, &meeting), touching))
     }
 

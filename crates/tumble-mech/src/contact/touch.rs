@@ -259,16 +259,22 @@ impl Equations {
         (near, InstantTape { tape: Arc::clone(&tape.tape), pairs, slips, rows, bodies, pushes })
     }
 
-    /// Pairs of bodies that touch or nearly do, whether or not they last.
-    pub(crate) fn meeting(&self, mode: &Mode, states: &[f64], now: Now<'_>) -> Result<Vec<usize>, Reason> {
+    /// Pairs of bodies whose gaps are at most so many times their rounding error, whether or not they last, each with how many that is.
+    pub(crate) fn meeting(
+        &self,
+        mode: &Mode,
+        states: &[f64],
+        now: Now<'_>,
+        most: f64,
+    ) -> Result<Vec<(usize, f64)>, Reason> {
         let mut pairs = self.pairs_among(mode, &mode.bodies);
         pairs.retain(|pair| self.pairs()[*pair].other.is_some());
         if pairs.is_empty() {
-            return Ok(pairs);
+            return Ok(vec![]);
         }
         let tape = self.gaps_tape(mode, &pairs)?;
-        let closed = closed(&tape, states, now);
-        Ok(pairs.into_iter().zip(closed).filter(|(_, is_closed)| *is_closed).map(|(pair, _)| pair).collect())
+        let blurs = gaps_in_blurs(&tape, states, now);
+        Ok(pairs.into_iter().zip(blurs).filter(|(_, blurs)| *blurs <= most).collect())
     }
 
     fn not_finite(&self, island: &[usize]) -> Reason {
@@ -389,11 +395,14 @@ impl Numbers<'_> {
     }
 }
 
-/// Pairs of a tape whose gaps are zero but for rounding.
-fn closed(tape: &InstantTape, states: &[f64], now: Now<'_>) -> Vec<bool> {
+/// Gaps of a tape in their rounding errors, whichever sign.
+fn gaps_in_blurs(tape: &InstantTape, states: &[f64], now: Now<'_>) -> Vec<f64> {
     let jets = rounded(tape, states, now);
-    let is_closed = |pair: &Measured| jets.value_of(pair.position).value.abs() <= blur_of(&jets, pair, now);
-    tape.pairs.iter().map(is_closed).collect()
+    let in_blurs = |pair: &Measured| match jets.value_of(pair.position).value.abs() {
+        0.0 => 0.0,
+        gap => gap / blur_of(&jets, pair, now),
+    };
+    tape.pairs.iter().map(in_blurs).collect()
 }
 
 /// What rounding leaves of gaps that are zero.

@@ -118,6 +118,7 @@ impl<A: Algebra> Linking<'_, A> {
             Watched::Cone(_) => AtZero::EndsIfItMoves {
                 response: self.part(Part::Lightness(brake.bodies[0])).remove(0),
                 group: Measure::Length as usize,
+                again: false,
             },
             _ => AtZero::Begins,
         };
@@ -157,9 +158,11 @@ impl<A: Algebra> Linking<'_, A> {
         };
         let at_zero = match watched {
             // A surface does not pull, not for a moment.
-            Watched::Normal | Watched::Cone(_) => {
-                AtZero::EndsIfItMoves { response: self.lightness(pair), group: Measure::Length as usize }
-            }
+            Watched::Normal | Watched::Cone(_) => AtZero::EndsIfItMoves {
+                response: self.lightness(pair),
+                group: Measure::Length as usize,
+                again: watched == Watched::Normal,
+            },
             Watched::Gap | Watched::Depth | Watched::Out | Watched::Shallow | Watched::Force => {
                 AtZero::Begins
             }

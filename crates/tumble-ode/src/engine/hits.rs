@@ -232,7 +232,7 @@ impl Engine {
         match self.system.guard_limits[guard] {
             Limit::None | Limit::Kept(_) | Limit::IfBeyond(_) => false,
             Limit::Always => is_overdue(series, zeros, direction),
-            Limit::IfItMoves(..) => {
+            Limit::IfItMoves { again, .. } => {
                 let is_beyond = zeros == 0 && direction.allows(series[0]);
                 // What is beyond zero and comes back moves something until then only.
                 let back = if is_beyond { roots(series, length).first().map(|root| root.at) } else { None };
@@ -240,7 +240,9 @@ impl Engine {
                 let most = [0.0, 0.5 * until, until].map(|s| polynomial::value(series, s).abs());
                 let push = if back.is_some() { most[0].max(most[1]) } else { most[2] };
                 let moves = push > self.moves_nothing(guard, (expansion, until), scales);
-                (is_beyond || is_overdue(series, zeros, direction)) && moves
+                // What has just been zero ends it again where it goes on beyond zero: the jump has not dealt with it.
+                let goes_beyond = again && zeros > 0 && direction.allows(leading_sign(ahead(series, zeros)));
+                (is_beyond || goes_beyond || is_overdue(series, zeros, direction)) && moves
             }
         }
     }
@@ -252,7 +254,7 @@ impl Engine {
         (expansion, length): (&Expansion, f64),
         scales: &Scales,
     ) -> f64 {
-        let Limit::IfItMoves(response, group) = self.system.guard_limits[guard] else { return 0.0 };
+        let Limit::IfItMoves { response, group, .. } = self.system.guard_limits[guard] else { return 0.0 };
         let time = expansion.time.as_ref();
         let elapsed = time.map_or(length, |series| polynomial::increment(series, length));
         let rounding = ROUNDING * scales.of(group);

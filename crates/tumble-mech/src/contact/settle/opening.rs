@@ -1,8 +1,9 @@
 //! Contacts whose force has come down to zero while little else acts: whether they open is seen a moment later, since what is left of their
 //! acceleration now is what rounding has left of the time.
 
-use super::Settling;
+use super::{Settling, Touched};
 use crate::contact::complementarity::pushing;
+use crate::contact::sticking::Pushes;
 use crate::mode::Mode;
 use crate::record::Jump;
 
@@ -16,6 +17,7 @@ impl Settling<'_> {
         &self,
         lifted: &[usize],
         others: &[usize],
+        touched: &Touched,
         jump: &Jump<Mode>,
     ) -> [Vec<usize>; 2] {
         let nothing = || [vec![], vec![]];
@@ -26,6 +28,13 @@ impl Settling<'_> {
         };
         if later.pairs != self.touch.pairs {
             return nothing();
+        }
+        if self.is_rough() {
+            let later = Self::before(self.equations, &self.island, later, now);
+            // What slips is as it is now: velocities are not those of a moment later.
+            let held =
+                |some: &[usize]| later.forces(some, &self.slipping_patches(some, touched, jump)).solve();
+            return later.parted(lifted, others, held).unwrap_or_else(nothing);
         }
         let mut then = later.free.clone();
         if !others.is_empty() {
@@ -38,5 +47,23 @@ impl Settling<'_> {
         };
         let (opens, closes) = lifted.iter().filter(is_all).partition(|position| then[**position] > 0.0);
         [opens, closes]
+    }
+    /// Of some contacts those that friction and the others let open, and those that press. What does not press opens, however slowly: its force
+    /// was seen to come down to zero. Where others may hold what they hold, they do.
+    fn parted(
+        &self,
+        lifted: &[usize],
+        others: &[usize],
+        held: impl Fn(&[usize]) -> Option<Pushes>,
+    ) -> Option<[Vec<usize>; 2]> {
+        let closes = |found: &Pushes| lifted.iter().any(|position| found.then[*position] < -self.zero());
+        let mut all = [lifted, others].concat();
+        all.sort_unstable();
+        let found = held(others).filter(|found| !closes(found)).or_else(|| held(&all))?;
+        let presses = |position: &usize| found.held.contains(position);
+        let opens = |position: &usize| found.then[*position] > 0.0;
+        let (closes, others): (Vec<usize>, Vec<usize>) =
+            lifted.iter().partition(|position| presses(position));
+        Some([others.into_iter().filter(opens).collect(), closes])
     }
 }

@@ -52,12 +52,13 @@ impl Settling<'_> {
         Ok(())
     }
 
-    /// Contacts that close now: what is within the rounding of its gap but takes longer than the shortest step is still to come.
+    /// Contacts that close now: what is within the rounding of its gap but takes longer than the shortest step is still to come, unless it has not
+    /// been further away since the event before. What is squeezed between walls would go to and fro within rounding, each time a little slower.
     pub(super) fn about_to_close(&self, touched: &Touched) -> Vec<usize> {
         let Touch { gap, rate, free, .. } = &self.touch;
         let is_at_once = |position: usize| {
             let time = flight(gap[position].max(0.0), rate[position], free[position]);
-            self.may_touch(position, touched) && time <= self.shortest()
+            self.may_touch(position, touched) && (self.is_unresolved || time <= self.shortest())
         };
         let closes = |position: &usize| rate[*position] < 0.0 && !self.stands(*position);
         let has_part = |position: usize| self.part.contains(&position) || is_at_once(position);
