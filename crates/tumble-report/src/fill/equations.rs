@@ -16,7 +16,7 @@ use crate::figures::symbols;
 use crate::results::Case;
 
 /// What a condition on accelerations comes from.
-const STAYS: &str = "what touches or is joined stays together: it has one acceleration there";
+const STAYS: &str = "what touches or is joined stays together, with one acceleration there";
 /// More modes than this are told of in the table of events only.
 const MOST_MODES: usize = 6;
 
@@ -68,16 +68,22 @@ fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> 
     if let Some(index) = place {
         block.definitions[index].meaning = "about the pivot".into();
     }
-    block.definitions.extend(condition(motion));
+    block.definitions.extend(condition(study, motion));
     block.definitions.extend(seats(study, names, motion));
     block.definitions.extend(second_rate(study, names, motion));
     Some(block)
 }
 
 /// What equations say that are no law of motion.
-fn condition(motion: &Motion) -> Option<Definition> {
+fn condition(study: &Study, motion: &Motion) -> Option<Definition> {
     let zero = Math::equation(Math::Text("\u{2026}".to_owned()), Math::Number("0".to_owned()));
-    let is_condition = |line: &Line| is_identically_zero(&line.is);
+    let bodies = study.model.bodies.iter().map(|body| body.kinematics());
+    let rates =
+        bodies.flat_map(|own| [own.acceleration_symbols().to_vec(), vec![own.alpha_symbol()]].concat());
+    let rates: Vec<Symbol> = rates.collect();
+    let is_condition = |line: &Line| {
+        is_identically_zero(&line.is) && line.right.symbols().iter().any(|symbol| rates.contains(symbol))
+    };
     motion.lines.iter().any(is_condition).then(|| Definition { symbol: math(&zero), meaning: STAYS.into() })
 }
 

@@ -61,7 +61,10 @@ fn bodies(study: &Study, names: &Names) -> Result<Vec<BodyRow>, CaseError> {
 
 fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, CaseError> {
     let mass = body.mass_properties();
+    let by_mass = names.with_mass();
     let given = |name: &str, symbol: &str, formula: &Expr, unit: &str| -> Result<QuantityRow, CaseError> {
+        // The place of the centre is a mean by masses; moments of inertia only become longer by their sum.
+        let names = if unit == "m" { &by_mass } else { names };
         let found = QuantityRow {
             name: name.into(),
             symbol: Text::symbol(symbol),

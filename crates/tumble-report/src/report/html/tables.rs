@@ -27,7 +27,9 @@ const STACKED: usize = 3;
 /// A table of the report.
 pub(super) fn table(table: &PrintedTable) -> String {
     let grid = grid(table, &cells(table));
-    let is_long = table.rows.len() > if table.is_upright { KEPT } else { FOLD };
+    // What is a list of its own, and not beside others.
+    let is_listed = table.is_upright || table.file.is_some();
+    let is_long = table.rows.len() > if is_listed { KEPT } else { FOLD };
     let grid = if is_long { long(table, &grid) } else { grid };
     let notes = table.notes.iter().cloned().chain(table.all_rows());
     let notes: String = notes.map(|note| tagged("p", "note", &Page::text(&note))).collect();

@@ -279,6 +279,9 @@ fn long_tables_stand_in_columns_on_paper_and_say_where_hundreds_of_rows_are() {
             .contains("<div class=\"long\" style=\"--beside:3\">\n<p class=\"caption paper\">")
     );
     assert!(!page(300, "", file).contains(sentence));
+    let is_in_columns =
+        |count: usize, file: Option<&str>| page(count, "", file).contains("<div class=\"long\"");
+    assert!(is_in_columns(9, file) && !is_in_columns(8, file) && !is_in_columns(20, None));
     assert!(page(301, &"long ".repeat(12), file).contains("<div class=\"long filed\" style=\"--beside:2\">"));
     assert!(page(301, "", file).contains(sentence));
     // Nowhere else: paper has them all.
