@@ -12,9 +12,9 @@ use crate::outline::{Pen, Plane, Pose};
 use crate::placing::{Occupancy, Tag, about_point, draw_placed, placed};
 use crate::rect::Rect;
 use crate::scale::Range;
-use crate::svg::{Element, Excerpt, NARROW, PathData, Svg, circle};
+use crate::svg::{Element, Excerpt, PathData, Svg, circle};
 use crate::text::Label;
-use crate::theme::{GAP, HAIRLINE, INK, LineStyle, MARGIN, PAPER, Rgb, SMALL};
+use crate::theme::{GAP, HAIRLINE, INK, LineStyle, MARGIN, NARROW, PAPER, Rgb, SMALL};
 use crate::thin::{pieces, simplified, thinned};
 use crate::track::BodyPath;
 

@@ -32,9 +32,6 @@ pub struct Svg {
     pub parts: Vec<Excerpt>,
 }
 
-/// A page this narrow, in pixels, shows the parts of a broad drawing below each other.
-pub(crate) const NARROW: f64 = 444.0;
-
 /// A part of a broad drawing for narrow pages.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Excerpt {

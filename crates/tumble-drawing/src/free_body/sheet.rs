@@ -6,9 +6,9 @@ use crate::curves::no_data;
 use crate::heading::Heading;
 use crate::outline::Plane;
 use crate::rect::Rect;
-use crate::svg::{Excerpt, NARROW, Svg};
+use crate::svg::{Excerpt, Svg};
 use crate::text::Label;
-use crate::theme::{GAP, MARGIN, SMALL};
+use crate::theme::{GAP, MARGIN, NARROW, SMALL};
 
 use super::arrow::{ArrowKind, ArrowUnit};
 use super::body::FreeBodyDiagram;
