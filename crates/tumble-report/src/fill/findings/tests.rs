@@ -198,3 +198,9 @@ fn an_answer_has_the_scene_s_name_only_beside_others_in_the_same_words() {
         "{found:?}"
     );
 }
+
+#[test]
+fn of_two_bodies_the_one_is_named_whose_speed_a_contact_changes() {
+    let found = found_in("24-glancing-disks");
+    assert!(has(&found, "Disk 1 in its first contact with disk 2 changes its speed from 2 to"), "{found:?}");
+}
