@@ -12,9 +12,9 @@ use crate::outline::{Pen, Plane, Pose};
 use crate::placing::{Occupancy, Tag, about_point, draw_placed, placed};
 use crate::rect::Rect;
 use crate::scale::Range;
-use crate::svg::{Element, PathData, Svg, circle};
+use crate::svg::{Element, Excerpt, PathData, Svg, circle};
 use crate::text::Label;
-use crate::theme::{GAP, HAIRLINE, INK, LineStyle, MARGIN, PAPER, Rgb, SMALL};
+use crate::theme::{GAP, HAIRLINE, INK, LineStyle, MARGIN, NARROW, PAPER, Rgb, SMALL};
 use crate::thin::{pieces, simplified, thinned};
 use crate::track::BodyPath;
 
@@ -28,6 +28,8 @@ pub(crate) struct Size {
 
 /// A picture of its own.
 pub(crate) const ALONE: Size = Size { width: 680.0, least_width: 400.0, greatest_height: 520.0 };
+/// On a narrow page.
+const ON_PHONE: Size = Size { width: NARROW, least_width: 260.0, greatest_height: 520.0 };
 /// One beside something else on a sheet of paper: its letters are not made smaller there.
 const BESIDE: Size = Size { width: 430.0, least_width: 260.0, greatest_height: 250.0 };
 /// Least height of the plotting area.
@@ -75,7 +77,11 @@ pub struct StroboscopicPicture {
 impl StroboscopicPicture {
     /// The drawing. Without poses and paths it is an empty frame that says so.
     pub fn svg(&self) -> Svg {
-        Scene::new(self, ALONE).svg()
+        let mut svg = Scene::new(self, ALONE).svg();
+        if svg.width > NARROW {
+            svg.parts = vec![Excerpt::Drawn(Box::new(Scene::new(self, ON_PHONE).svg()))];
+        }
+        svg
     }
 
     /// The drawing in half the width of a sheet of paper.
@@ -316,6 +322,17 @@ mod tests {
             assert!((axes.x.density() / axes.y.density() - 1.0).abs() < 1e-9);
             assert!(axes.x.range.contains(ranges[0].high) && axes.y.range.contains(ranges[1].high));
         }
+    }
+
+    #[test]
+    fn a_narrow_page_has_all_of_a_broad_picture() {
+        let svg = flight().svg();
+        let [Excerpt::Drawn(part)] = &svg.parts[..] else { panic!("one part") };
+        assert!(svg.width > NARROW && part.width <= NARROW, "{} of {}", part.width, svg.width);
+        let dots =
+            |svg: &Svg| svg.children.iter().map(|one| one.to_string().matches("<circle").count()).sum();
+        let [all, of_part]: [usize; 2] = [dots(&svg), dots(part)];
+        assert_eq!(all, of_part);
     }
 
     #[test]

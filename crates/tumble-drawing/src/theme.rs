@@ -127,6 +127,8 @@ pub const CURVE: f64 = 1.6;
 /// Thickness of the sample of a band in a legend.
 const BAND_SAMPLE: f64 = 10.0;
 
+/// A page this narrow, in pixels, shows the parts of a broad drawing below each other.
+pub(crate) const NARROW: f64 = 444.0;
 /// Distance between a figure's content and the edge of the picture.
 pub const MARGIN: f64 = 12.0;
 /// Distance between neighbouring things, such as ticks and their labels.

@@ -12,10 +12,14 @@ const THIN_SPACE: &str = "<mspace width=\"0.1667em\"/>";
 const APPLIED: &str = "<mo>\u{2061}</mo>";
 
 /// A formula in a line of text as `math` elements between which the line may be broken, none wider than a telephone if it
-/// can be helped.
+/// can be helped. Those of one term are in an element of the class `term`, which should move to the next line as a whole.
 pub fn mathml_in_pieces(math: &Math) -> String {
-    let shown = pieces::pieces(math).into_iter().map(|piece| format!("<math>{piece}</math>"));
-    shown.collect::<Vec<_>>().join(" ")
+    let piece = |piece: &String| format!("<math>{piece}</math>");
+    let term = |term: Vec<String>| match term.iter().map(piece).collect::<Vec<_>>() {
+        pieces if pieces.len() > 1 => format!("<span class=\"term\">{}</span>", pieces.join(" ")),
+        pieces => pieces.concat(),
+    };
+    pieces::terms(math).into_iter().map(term).collect::<Vec<_>>().join(" ")
 }
 
 /// Text with the characters that HTML reads as markup escaped.

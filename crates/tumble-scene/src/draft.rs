@@ -10,7 +10,7 @@ use tumble_ode::Accuracy;
 
 use crate::diagnostic::{Diagnostic, Diagnostics, SourceText, Span};
 use crate::formula::Text;
-use crate::names::Names;
+use crate::names::{ACCURACY, Names};
 use crate::places::Places;
 use crate::play::{Asked, Play, Preset, StartValue};
 use crate::quantities;
@@ -125,6 +125,7 @@ impl Draft {
                 symbols: self.symbols,
                 meanings: self.meanings,
                 sweep: self.sweep,
+                is_set: self.settings.iter().any(|setting| setting.name != ACCURACY),
                 play: self.play,
                 said: Said {
                     sources: self.sources.into(),

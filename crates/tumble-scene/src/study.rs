@@ -54,6 +54,8 @@ pub struct Study {
     pub meanings: BTreeMap<String, String>,
     /// What takes several values, one run each; with several axes, every combination.
     pub sweep: Vec<SweepAxis>,
+    /// Whether settings stand in the place of some of its values: claims may be about those alone.
+    pub is_set: bool,
     /// What a reader of the page may change.
     pub play: Play,
     /// Of the model as it was read.

@@ -124,7 +124,7 @@ fn the_kicked_ball_is_solved_in_symbols() {
     let outcome = run(&repository("scenes/04-kicked-ball/scene.toml"), out.path(), ReportForm::Html);
     let page = read(&outcome.folder.join("report.html"));
     for formula in
-        ["M A_x = F", "I α = −b F", "X = F t²/(2 M)", "θ = −b F t²/(2 I)", "V = F dt/M", "ω = −b F dt/I"]
+        ["M A_x = F", "I α = −b F", "X = F t²/(2 M)", "θ = −b F t²/(2 I)", "V = F T/M", "ω = −b F T/I"]
     {
         assert!(page.contains(formula), "{formula}");
     }
@@ -235,7 +235,7 @@ fn the_greatest_answer_of_a_sweep_is_located() {
     assert!((located["value"].as_f64().expect("a number") - 2.5).abs() < 1e-6, "{located}");
     assert_eq!(located["which"], "greatest");
     let page = read(&outcome.folder.join("report.html"));
-    assert!(page.contains("Horizontal position <i>x</i> (range) is greatest"));
+    assert!(page.contains("Horizontal position <i>x</i> at the end is greatest"));
     assert!(page.contains("all 12 runs") && page.contains("median"), "a long sweep is bands");
     assert!(outcome.folder.join("find.range.svg").is_file());
     let least = &summary["located"][1];

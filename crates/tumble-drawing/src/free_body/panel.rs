@@ -167,7 +167,8 @@ impl Drawing {
         let centre = [draw::centre_mark(self.view.pixel(self.body.pose.centre()))];
         let dots = self.strokes.iter().filter(|stroke| !self.starts_at_centre(stroke));
         let dots = dots.map(|stroke| draw::dot(stroke.point, stroke.style));
-        spreads.chain(arms).chain(rings).chain(centre).chain(arrows).chain(dots).collect()
+        // A thin arm is seen on a thick arrow.
+        spreads.chain(rings).chain(centre).chain(arrows).chain(arms).chain(dots).collect()
     }
 
     fn starts_at_centre(&self, stroke: &Stroke) -> bool {

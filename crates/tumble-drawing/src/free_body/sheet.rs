@@ -8,7 +8,7 @@ use crate::outline::Plane;
 use crate::rect::Rect;
 use crate::svg::{Excerpt, Svg};
 use crate::text::Label;
-use crate::theme::{GAP, MARGIN, SMALL};
+use crate::theme::{GAP, MARGIN, NARROW, SMALL};
 
 use super::arrow::{ArrowKind, ArrowUnit};
 use super::body::FreeBodyDiagram;
@@ -22,8 +22,6 @@ use crate::geometry::{Point, minus, plus};
 
 /// Height of a sheet without panels, in pixels.
 const BLANK_HEIGHT: f64 = 100.0;
-/// A page this narrow, in pixels, shows the panels below each other.
-const NARROW: f64 = 444.0;
 /// Panels need a legend from this many kinds of forces on.
 const KINDS: usize = 2;
 

@@ -13,7 +13,7 @@ const SHAFT_PARTS: [f64; 5] = [0.6, 0.8, 0.4, 0.2, 0.95];
 const HEAD_TURNS: u32 = 16;
 /// Distances tried, in steps of this many pixels, and their number.
 const RING_STEP: f64 = 7.0;
-const RINGS: u32 = 3;
+const RINGS: u32 = 4;
 /// Distance between places far away, in pixels.
 const GRID: f64 = 11.0;
 /// Cost of a step away.

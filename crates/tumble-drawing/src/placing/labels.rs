@@ -22,17 +22,20 @@ const CROSSING_COST: f64 = 45.0;
 /// What lines between a label and what it belongs to cost where there is no leader.
 const PARTED_COST: f64 = 15.0;
 /// What covering something drawn costs, compared with the page's own measure: it comes last.
-const COVER_WEIGHT: f64 = 3.0;
+const COVER_WEIGHT: f64 = 6.0;
 /// What standing nearer to something else costs, or nearly so.
-const RIVAL_COST: f64 = 50.0;
+const RIVAL_COST: f64 = 250.0;
 const NEARLY: f64 = 5.0;
-/// What two labels that overlap cost, and a leader under a label.
+/// What two labels that overlap cost, and a leader that touches a label, which would seem a letter of it.
 const OVERLAP_COST: f64 = 600.0;
-const UNDER_COST: f64 = 200.0;
+/// Room kept between a label and the leader of another, in pixels.
+const LEADER_APART: f64 = 2.0;
 /// What two labels beside each other keep apart beyond what lines above each other do, in pixels: a space would be read as one of a text.
 const WORDS_APART: f64 = 6.0;
 /// Candidates kept for each label.
 const KEPT: usize = 500;
+/// By how much all have to gain for others to make room: less is rounding.
+const BETTER: f64 = 1e-6;
 /// Rounds in which every label may move again.
 const ROUNDS: usize = 6;
 
@@ -95,7 +98,7 @@ fn leader([from, to]: [Point; 2]) -> Element {
 }
 
 /// A place with all that it costs by itself.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Spot {
     place: Rect,
     leader: Option<[Point; 2]>,
@@ -107,11 +110,12 @@ pub(crate) fn placed(tags: &[Tag], drawn: &Occupancy, area: &Rect) -> Vec<Placed
     let spots: Vec<Vec<Spot>> = (0..tags.len()).map(|i| spots(tags, i, drawn, area)).collect();
     let mut chosen: Vec<Option<Spot>> = vec![None; tags.len()];
     for _ in 0..ROUNDS {
-        let before: Vec<_> = chosen.iter().map(|spot| spot.map(|spot| spot.place)).collect();
+        let before = chosen.clone();
         for i in 0..tags.len() {
             chosen[i] = best(&spots[i], &chosen, i);
         }
-        if chosen.iter().map(|spot| spot.map(|spot| spot.place)).eq(before) {
+        (0..tags.len()).for_each(|i| make_room(&spots, &mut chosen, i));
+        if chosen == before {
             break;
         }
     }
@@ -127,8 +131,6 @@ fn finished(tag: &Tag, spot: Spot, drawn: &Occupancy) -> Placed {
 
 /// The best spot of label `i` beside the others' present ones.
 fn best(spots: &[Spot], chosen: &[Option<Spot>], i: usize) -> Option<Spot> {
-    let others: Vec<Spot> =
-        chosen.iter().enumerate().filter(|(j, _)| *j != i).filter_map(|(_, s)| *s).collect();
     let mut best: Option<(f64, Spot)> = None;
     for spot in spots {
         let least = best.map_or(f64::INFINITY, |(cost, _)| cost);
@@ -136,7 +138,7 @@ fn best(spots: &[Spot], chosen: &[Option<Spot>], i: usize) -> Option<Spot> {
         if spot.cost >= least {
             break;
         }
-        let cost = spot.cost + others.iter().map(|other| conflict(spot, other)).sum::<f64>();
+        let cost = spot.cost + crowding(spot, chosen, i);
         if cost < least {
             best = Some((cost, *spot));
         }
@@ -144,14 +146,49 @@ fn best(spots: &[Spot], chosen: &[Option<Spot>], i: usize) -> Option<Spot> {
     best.map(|(_, spot)| spot)
 }
 
+/// Moves label `i` to where others are in its way, and these elsewhere, if that is better for all.
+fn make_room(spots: &[Vec<Spot>], chosen: &mut Vec<Option<Spot>>, i: usize) {
+    let mut least = total(chosen);
+    for spot in &spots[i] {
+        // What it could save is no more than what it costs now.
+        if chosen[i].is_none_or(|now| now.cost + crowding(&now, chosen, i) <= spot.cost) {
+            break;
+        }
+        let mut trial = chosen.clone();
+        trial[i] = Some(*spot);
+        let is_in_its_way =
+            |j: &usize| *j != i && chosen[*j].is_some_and(|other| conflict(spot, &other) > 0.0);
+        for j in (0..spots.len()).filter(is_in_its_way) {
+            trial[j] = best(&spots[j], &trial, j);
+        }
+        let cost = total(&trial);
+        if cost < least - BETTER {
+            (least, *chosen) = (cost, trial);
+        }
+    }
+}
+
+/// What all labels cost where they are.
+fn total(chosen: &[Option<Spot>]) -> f64 {
+    let cost = |(i, spot): (usize, &Spot)| spot.cost + crowding(spot, &chosen[..i], i);
+    chosen.iter().enumerate().filter_map(|(i, spot)| Some((i, spot.as_ref()?))).map(cost).sum()
+}
+
+/// What a spot of label `i` costs beside the others.
+fn crowding(spot: &Spot, chosen: &[Option<Spot>], i: usize) -> f64 {
+    let others = chosen.iter().enumerate().filter(|(j, _)| *j != i);
+    others.filter_map(|(_, other)| other.as_ref()).map(|other| conflict(spot, other)).sum()
+}
+
 fn conflict(a: &Spot, b: &Spot) -> f64 {
     let shared = a.place.grown(CLEARANCE).wider(WORDS_APART).overlap(&b.place);
     let overlap = if shared > 0.0 { OVERLAP_COST + shared } else { 0.0 };
-    let under =
-        |place: &Rect, leader: Option<[Point; 2]>| leader.is_some_and(|[p, q]| place.meets_line(p, q));
+    let under = |place: &Rect, leader: Option<[Point; 2]>| {
+        leader.is_some_and(|[p, q]| place.grown(LEADER_APART).meets_line(p, q))
+    };
     let hidden = [under(&a.place, b.leader), under(&b.place, a.leader)].iter().filter(|hit| **hit).count();
     let crossing = a.leader.zip(b.leader).is_some_and(|(p, q)| lines_cross(p, q));
-    overlap + UNDER_COST * hidden as f64 + if crossing { CROSSING_COST } else { 0.0 }
+    overlap + OVERLAP_COST * hidden as f64 + if crossing { CROSSING_COST } else { 0.0 }
 }
 
 /// The spots of label `i`, cheapest first.
@@ -200,4 +237,31 @@ fn shortened([from, to]: [Point; 2]) -> [Point; 2] {
     let distance = length(minus(to, from));
     let step = times(minus(to, from), LEADER_GAP / distance.max(LEADER_GAP));
     [plus(from, step), minus(to, step)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn spot(x: f64, cost: f64) -> Spot {
+        Spot { place: Rect::new(x, 0.0, 10.0, 10.0), leader: None, cost }
+    }
+
+    #[test]
+    fn a_label_makes_room_for_another_that_stands_badly_elsewhere() {
+        let spots = [vec![spot(0.0, 0.0), spot(100.0, 10.0)], vec![spot(5.0, 0.0), spot(200.0, 90.0)]];
+        let mut chosen: Vec<Option<Spot>> = spots.iter().map(|own| Some(own[0])).collect();
+        chosen[1] = best(&spots[1], &chosen, 1);
+        assert_eq!(chosen[1], Some(spots[1][1]), "by itself it stays out of the way");
+        make_room(&spots, &mut chosen, 1);
+        assert_eq!(chosen, [Some(spots[0][1]), Some(spots[1][0])]);
+    }
+
+    #[test]
+    fn a_leader_keeps_clear_of_other_labels() {
+        let label = spot(0.0, 0.0);
+        let led = |x: f64| Spot { leader: Some([[x, -20.0], [x, 20.0]]), ..spot(50.0, 0.0) };
+        assert!(conflict(&label, &led(5.0)) >= OVERLAP_COST && conflict(&label, &led(11.0)) >= OVERLAP_COST);
+        assert_eq!(conflict(&label, &led(13.0)), 0.0);
+    }
 }

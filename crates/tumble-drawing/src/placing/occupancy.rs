@@ -5,7 +5,7 @@ use crate::rect::Rect;
 /// Room kept between a label and anything else, in pixels.
 pub(crate) const CLEARANCE: f64 = 3.0;
 
-/// What a line under a label costs, compared with a pixel of overlap with another label.
+/// What a line or the edge of a box under a label costs, compared with a pixel of overlap with a box.
 const LINE_COST: f64 = 60.0;
 /// What lying on a face costs.
 const FACE_COST: f64 = 5.0;
@@ -59,9 +59,10 @@ impl Occupancy {
     }
 
     /// What it costs to draw over the rectangle: pixels of overlap with
-    /// boxes, and as many as seem fair for lines, faces and leaving the area.
+    /// boxes, and as many as seem fair for lines, edges, faces and leaving the area.
     pub(crate) fn burden(&self, place: &Rect) -> f64 {
-        let overlap: f64 = self.boxes.iter().map(|taken| taken.overlap(place)).sum();
+        let overlaps = self.boxes.iter().map(|taken| taken.overlap(place)).filter(|shared| *shared > 0.0);
+        let overlap: f64 = overlaps.map(|shared| LINE_COST + shared).sum();
         let outside = if self.area.encloses(place) { 0.0 } else { OUTSIDE_COST };
         let faces = self.faces.iter().filter(|face| covers(face, place)).count();
         outside + overlap + LINE_COST * self.crossings(place) as f64 + FACE_COST * faces as f64

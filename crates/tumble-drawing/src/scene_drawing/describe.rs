@@ -27,6 +27,10 @@ pub(super) fn describe(scene: &SceneDrawing) -> String {
         };
         format!("{kind} {} from {} to {}.", link.name.to_plain(), place(link.ends[0]), place(link.ends[1]))
     }));
+    parts.extend(scene.forces.iter().map(|force| {
+        let (name, vector) = (force.name().to_plain(), pair(force.vector));
+        format!("Force {name} {vector} N at {}.", place(force.point))
+    }));
     parts.extend(
         scene.gravity.iter().map(|(g, label)| format!("Gravity {} {} m/s².", label.to_plain(), pair(*g))),
     );

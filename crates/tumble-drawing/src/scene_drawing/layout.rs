@@ -4,11 +4,12 @@ use super::tags::tags;
 use super::{SceneBody, SceneDrawing, marks};
 use crate::axes::{Axes, clipped};
 use crate::curves::no_data;
+use crate::free_body::Arrow;
 use crate::free_body::circular_arrow::CircularArrow;
 use crate::free_body::draw;
 use crate::free_body::layout::View;
 use crate::free_body::strokes::{Form, Stroke};
-use crate::geometry::{Point, along, unit};
+use crate::geometry::{Point, along, length, minus, unit};
 use crate::heading::Heading;
 use crate::outline::{Pen, Plane};
 use crate::placing::{Occupancy, draw_placed, placed};
@@ -16,6 +17,7 @@ use crate::rect::Rect;
 use crate::scale::Range;
 use crate::stroboscope::{ALONE, equal_axes, picture_width};
 use crate::svg::{Element, Svg, circle};
+use crate::text::Label;
 use crate::theme::{BODY, INK, MOTION, PAPER};
 
 /// Room around everything, as a part of the larger side.
@@ -24,7 +26,7 @@ const PADDING: f64 = 0.15;
 const LARGEST_ROUND: f64 = 12.0;
 /// Greatest width of the picture in pixels: it stands beside what is given, and fits a narrow page.
 const WIDEST: f64 = 440.0;
-/// Length of the fastest velocity, and of the shortest, in pixels.
+/// Length of the fastest velocity and of the largest force, and of the shortest, in pixels.
 const LONGEST: f64 = 64.0;
 const SHORTEST: f64 = 18.0;
 /// Radius, start and sweep of the arrow of an angular velocity.
@@ -95,20 +97,24 @@ impl Layout {
         outlines.chain([draw::centre_mark(self.view.pixel(body.pose.centre()))]).collect()
     }
 
-    /// Velocities with the bodies they belong to.
-    pub(super) fn strokes(&self) -> Vec<(Stroke, usize)> {
-        let speed = |v: &Point| v[0].hypot(v[1]);
-        let velocities = self.scene.bodies.iter().filter_map(|body| body.velocity.as_ref());
-        let fastest = velocities.map(|(v, _)| speed(v)).fold(0.0, f64::max);
-        let stroke = |(i, body): (usize, &SceneBody)| {
-            let (velocity, _) = body.velocity.as_ref()?;
-            let [x, y] = unit(*velocity)?;
-            let tail = self.view.pixel(body.pose.centre());
-            let length = (speed(velocity) / fastest * LONGEST).max(SHORTEST);
-            let (head, start) = (along(tail, [x, -y], length), along(tail, [x, -y], draw::CENTRE_RADIUS));
-            Some((Stroke { start, ..Stroke::new([tail, head], MOTION, Form::Thin) }, i))
-        };
-        self.scene.bodies.iter().enumerate().filter_map(stroke).collect()
+    /// Velocities and forces with what stands beside them.
+    pub(super) fn strokes(&self) -> Vec<(Stroke, &Label)> {
+        let Self { scene, view, .. } = self;
+        let velocities = scene.bodies.iter().filter_map(|body| Some((body, body.velocity.as_ref()?)));
+        let fastest = velocities.clone().map(|(_, (v, _))| length(*v)).fold(0.0, f64::max);
+        let motions = velocities.filter_map(|(body, (v, label))| {
+            let tail = view.pixel(body.pose.centre());
+            let ends = [tail, head(tail, *v, length(*v) / fastest)?];
+            let start = along(tail, unit(minus(ends[1], tail))?, draw::CENTRE_RADIUS);
+            Some((Stroke { start, ..Stroke::new(ends, MOTION, Form::Thin) }, label))
+        });
+        let largest = scene.forces.iter().map(Arrow::magnitude).fold(0.0, f64::max);
+        let forces = scene.forces.iter().filter_map(|force| {
+            let tail = view.pixel(force.point);
+            let ends = [tail, head(tail, force.vector, force.magnitude() / largest)?];
+            Some((Stroke::new(ends, force.kind.style(), Form::Full), &force.symbol))
+        });
+        motions.chain(forces).collect()
     }
 
     /// Angular velocities with the bodies they belong to.
@@ -143,6 +149,12 @@ impl Layout {
         self.rings().iter().for_each(|(ring, _)| drawn.add_line(ring.points()));
         drawn
     }
+}
+
+/// The head of an arrow along a vector of the world, as long as its part of the largest is.
+fn head(tail: Point, vector: Point, part: f64) -> Option<Point> {
+    let [x, y] = unit(vector)?;
+    Some(along(tail, [x, -y], (part * LONGEST).max(SHORTEST)))
 }
 
 /// Circles of material, as a whole where they are not much larger than everything else.

@@ -108,7 +108,7 @@ fn field(
         [arrows[0].max(text[0]), arrows[1] + text[1]]
     };
     let place = free_place(size, area, drawn);
-    drawn.add_box(place);
+    drawn.add_box(place.grown(FIELD_ROOM / 2.0));
     let [x, y] = place.centre();
     let (centre, corner) = if upright {
         ([place.x + arrows[0] / 2.0, y], [place.right() - text[0], y - text[1] / 2.0])

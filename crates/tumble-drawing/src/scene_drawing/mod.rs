@@ -1,5 +1,5 @@
-//! The scene at one instant: bodies, surfaces, pivots, springs, gravity and
-//! wind, to scale, with names.
+//! The scene at one instant: bodies, surfaces, pivots, springs, applied forces,
+//! gravity and wind, to scale, with names.
 
 mod describe;
 mod layout;
@@ -10,7 +10,7 @@ mod tests;
 
 use layout::Layout;
 
-use crate::free_body::{Ground, NamedPoint};
+use crate::free_body::{Arrow, Ground, NamedPoint};
 use crate::outline::{Outline, Pose};
 use crate::scale::drawable;
 use crate::svg::Svg;
@@ -31,6 +31,8 @@ pub struct SceneDrawing {
     pub points: Vec<NamedPoint>,
     /// Springs and dampers.
     pub links: Vec<SceneLink>,
+    /// Forces from outside, longer for larger ones.
+    pub forces: Vec<Arrow>,
     /// Acceleration of gravity (m/s^2, x to the right, y up) and what stands beside its arrow.
     pub gravity: Option<([f64; 2], Label)>,
     /// Velocity of the air (m/s) and what stands beside its arrows.
@@ -94,6 +96,7 @@ impl SceneDrawing {
         scene.pivots.retain(|point| seen(&point.at));
         scene.points.retain(|point| seen(&point.at));
         scene.links.retain(|link| link.ends.iter().all(seen));
+        scene.forces.retain(Arrow::is_drawable);
         scene.gravity = scene.gravity.filter(|(v, _)| seen(v));
         scene.wind = scene.wind.filter(|(v, _)| seen(v));
         scene

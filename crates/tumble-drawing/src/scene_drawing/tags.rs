@@ -115,16 +115,15 @@ fn links(layout: &Layout) -> Vec<Tag> {
 
 fn motions(layout: &Layout) -> Vec<Tag> {
     let bodies = &layout.scene.bodies;
-    let velocity = |(stroke, i): (crate::free_body::strokes::Stroke, usize)| {
-        let (_, label) = bodies[i].velocity.as_ref()?;
+    let straight = |(stroke, label): (crate::free_body::strokes::Stroke, &Label)| {
         let ends = [stroke.tail, stroke.head];
-        Some(tag(layout, label, MOTION.colour, ends.to_vec(), |size| about_arrow(ends, size)))
+        tag(layout, label, stroke.style.colour, ends.to_vec(), |size| about_arrow(ends, size))
     };
     let rate = |(ring, i): (crate::free_body::circular_arrow::CircularArrow, usize)| {
         let (_, label) = bodies[i].rate.as_ref()?;
         let points = ring.points();
         Some(tag(layout, label, MOTION.colour, points.clone(), |size| about_arc(ring.centre, &points, size)))
     };
-    let velocities = layout.strokes().into_iter().filter_map(velocity);
-    velocities.chain(layout.rings().into_iter().filter_map(rate)).collect()
+    let straight = layout.strokes().into_iter().map(straight);
+    straight.chain(layout.rings().into_iter().filter_map(rate)).collect()
 }

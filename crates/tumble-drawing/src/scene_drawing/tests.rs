@@ -1,4 +1,5 @@
 use super::*;
+use crate::free_body::ArrowKind;
 use crate::outline::Plane;
 use crate::text::Label;
 
@@ -22,6 +23,7 @@ fn scene() -> SceneDrawing {
             kind: LinkKind::Spring,
             ends: [[-1.0, 2.5], [-0.1, 1.7]],
         }],
+        forces: vec![Arrow::new(ArrowKind::Applied, Label::symbol("F"), [0.7, 2.3], [0.0, 5.0])],
         gravity: Some(([0.0, -9.81], Label::symbol("g"))),
         wind: Some(([3.0, 0.0], Label::symbol("w"))),
     }
@@ -36,6 +38,7 @@ fn everything_is_drawn_and_said() {
     }
     let said = "Ground floor through (0, 0) m, its normal (0, 1). Spring spring from (−1, 2.5) m";
     assert!(svg.description.contains(said), "{}", svg.description);
+    assert!(svg.description.contains("Force F (0, 5) N at (0.7, 2.3) m."), "{}", svg.description);
     assert_eq!(drawn, scene().svg().to_string());
 }
 
@@ -43,7 +46,7 @@ fn everything_is_drawn_and_said() {
 fn labels_do_not_cover_each_other() {
     let layout = Layout::new(scene());
     let labels = layout.labels();
-    assert_eq!(labels.len(), 7, "names of body, floor, pivot, point, spring, and two symbols");
+    assert_eq!(labels.len(), 8, "names of body, floor, pivot, point, spring, and three symbols");
     for (i, a) in labels.iter().enumerate() {
         assert!(layout.axes.area.encloses(&a.place), "{:?}", a.label);
         assert!(labels[..i].iter().all(|b| a.place.overlap(&b.place) == 0.0), "{:?}", a.label);

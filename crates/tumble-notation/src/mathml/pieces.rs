@@ -45,10 +45,31 @@ impl Part {
     }
 }
 
-/// The pieces of a formula, each the content of a `math` element.
-pub(super) fn pieces(math: &Math) -> Vec<String> {
+/// The terms of a formula in pieces, each the content of a `math` element.
+pub(super) fn terms(math: &Math) -> Vec<Vec<String>> {
+    let mut terms: Vec<Vec<Part>> = vec![vec![]];
+    for part in outermost(math) {
+        match terms.last_mut() {
+            Some(last) if !matches!(part, Math::Operator(sign) if is_break(*sign)) => {
+                last.extend(parts(part))
+            }
+            _ => terms.push(parts(part)),
+        }
+    }
+    terms.into_iter().filter(|term| !term.is_empty()).map(pieces).collect()
+}
+
+/// Signs and what is between them, outside all brackets.
+fn outermost(math: &Math) -> Vec<&Math> {
+    match math {
+        Math::Row(inside) => inside.iter().flat_map(outermost).collect(),
+        _ => vec![math],
+    }
+}
+
+fn pieces(parts: Vec<Part>) -> Vec<String> {
     let mut pieces: Vec<Vec<String>> = vec![vec![]];
-    for part in parts(math) {
+    for part in parts {
         match pieces.last_mut() {
             Some(last) if !part.begins || last.is_empty() => last.push(part.shown),
             _ => pieces.push(vec![part.shown]),
@@ -267,6 +288,20 @@ mod tests {
         );
         assert!(shown.ends_with(minus), "{shown}");
         assert_eq!(count(&sum.bracketed()), 1);
+    }
+
+    #[test]
+    fn the_pieces_of_a_term_are_together() {
+        let wide = sum_of(&["a_first", "b_second", "c_third", "d_fourth", "e_fifth", "f_sixth"]).bracketed();
+        let term = Math::Product(vec![Math::symbol("k"), wide]);
+        let sum = Math::Row(vec![Math::symbol("a"), Math::Operator(Operator::Plus), term]);
+        let shown = mathml_in_pieces(&Math::equation(Math::symbol("x"), sum));
+        let (before, term) = shown.split_once("<span class=\"term\">").unwrap_or_default();
+        assert_eq!(before.matches("<math>").count(), 2, "{shown}");
+        assert!(
+            term.contains("<mo form=\"infix\" lspace=\"0\"") && term.ends_with("</math></span>"),
+            "{shown}"
+        );
     }
 
     #[test]

@@ -31,9 +31,12 @@ const BANDS: &str = "Pale: from the least to the greatest value over all runs th
 pub(crate) fn scene(drawing: &SceneDrawing) -> Text {
     let velocity = drawing.bodies.iter().find_map(|body| body.velocity.as_ref()).map(|(_, label)| label);
     let rate = drawing.bodies.iter().find_map(|body| body.rate.as_ref()).map(|(_, label)| label);
+    let forces = drawing.forces.iter().map(|force| force.symbol.clone());
+    let force = forces.reduce(|all, next| all.then(Label::plain(", ")).then(next));
     let arrows = [
         (velocity, "velocity of the centre of mass"),
         (rate, "angular velocity"),
+        (force.as_ref(), "applied force"),
         (drawing.gravity.as_ref().map(|(_, label)| label), "acceleration of gravity"),
         (drawing.wind.as_ref().map(|(_, label)| label), "wind"),
     ];

@@ -2,9 +2,10 @@
 
 use tumble_drawing::{Axis, CurveFigure, DataSeries, Label, MapFigure, Mark, Svg};
 use tumble_mech::Extreme;
-use tumble_scene::{Question, Study};
+use tumble_scene::{Question, Study, When};
 
-use crate::figures;
+use crate::figures::{self, symbols};
+use crate::fill::words::spoken;
 use crate::results::{Located, Sample, Survey, SweptAxis};
 
 /// Fewer runs make no curve, and fewer rows or columns no map.
@@ -111,7 +112,28 @@ fn asked(study: &Study, question: &Question) -> Axis {
 }
 
 fn title(study: &Study, question: &Question) -> Label {
-    figures::heading(study, None, &question.name)
+    Label::markup(&study.title).then(Label::plain(": ")).then(called(study, question))
+}
+
+/// What is asked for, in words: `the greatest angle θ`; by the scene's name too where others are asked for in the same words.
+pub(crate) fn called(study: &Study, question: &Question) -> Label {
+    let words = in_words(study, question);
+    let alike = study.finds.iter().filter(|other| in_words(study, other) == words);
+    if alike.count() > 1 {
+        words.then(Label::plain(&format!(" ({})", spoken(&question.name))))
+    } else {
+        words
+    }
+}
+
+fn in_words(study: &Study, question: &Question) -> Label {
+    let that = symbols::called(study, &symbols::all(study), &question.that.text);
+    match question.at {
+        When::Extreme { which: Extreme::Greatest, .. } => Label::plain("the greatest ").then(that),
+        When::Extreme { which: Extreme::Least, .. } => Label::plain("the least ").then(that),
+        When::End => that.then(Label::plain(" at the end")),
+        When::At(_) => Label::plain(&format!("{}: ", spoken(&question.name))).then(that),
+    }
 }
 
 fn name(question: &Question) -> String {
@@ -149,7 +171,7 @@ pub(crate) fn maps(study: &Study, survey: &Survey) -> Vec<(String, MapFigure)> {
 
 /// The cell of the greatest value, or of the least where the least is asked for.
 pub(crate) fn best(question: &Question, cells: &[f64]) -> Option<usize> {
-    let least = matches!(&question.at, tumble_scene::When::Extreme { which: Extreme::Least, .. });
+    let least = matches!(&question.at, When::Extreme { which: Extreme::Least, .. });
     let sign = if least { -1.0 } else { 1.0 };
     let known = cells.iter().enumerate().filter(|(_, value)| value.is_finite());
     known.max_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1))).map(|(cell, _)| cell)

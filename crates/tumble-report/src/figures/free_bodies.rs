@@ -94,7 +94,7 @@ impl Drawing<'_> {
 
     fn with_impulse(&self, mut panel: FreeBodyDiagram, impulse: &Impulse) -> FreeBodyDiagram {
         let (kind, name) = self.source_of(impulse);
-        let symbol = Label::symbol(&name);
+        let symbol = self.signed(self.run.equations.source_name(impulse.source), &name);
         if impulse.impulse != [0.0; 2] {
             let point = [panel.pose.x + impulse.arm[0], panel.pose.y + impulse.arm[1]];
             panel = panel.force(Arrow::new(kind, symbol.clone(), point, impulse.impulse));
@@ -221,11 +221,13 @@ impl Drawing<'_> {
         Ok(if is_there { panel.arm(Label::symbol(&symbols::arm(&name)), point) } else { panel })
     }
 
-    /// The symbol of a force; its opposite on the second body of a joint.
+    /// The symbol of a force or impulse; its opposite on the second body of a joint or a contact.
     fn signed(&self, load: &str, name: &str) -> Label {
         let joint = self.study.model.joints.iter().find(|joint| joint.name == load);
         let second = joint.and_then(|joint| joint.ends[1].body());
-        let is_opposite = second == Some(&*self.study.model.bodies[self.body].name);
+        let mut pairs = self.run.equations.pairs().iter();
+        let is_opposite = second == Some(&*self.study.model.bodies[self.body].name)
+            || pairs.any(|pair| pair.name == symbols::rubbed(load) && pair.other == Some(self.body));
         if is_opposite { Label::plain("\u{2212}").then(Label::symbol(name)) } else { Label::symbol(name) }
     }
 

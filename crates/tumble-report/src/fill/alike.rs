@@ -8,7 +8,7 @@ use crate::figures::symbols;
 
 /// Of so many bodies each is shown; of more than these, one of each kind.
 const MOST_SHOWN: usize = 3;
-/// So many names are all said; of more than these, the first two and the last.
+/// So many names are all said; of more than these, from where to where they are numbered, or the first two and the last.
 const MOST_NAMED: usize = 4;
 
 /// Bodies of one kind.
@@ -28,13 +28,17 @@ impl Kind {
         if self.is_joined { &self.bodies } else { std::slice::from_ref(&self.shown) }
     }
 
-    /// `the rod`, or `b5, and likewise b1, b2, ..., b15`.
+    /// `the rod`, `link 2, and likewise link 3 and link 4`, or `b5, and likewise the other 14 of b1 to b15`.
     pub(super) fn name(&self, study: &Study) -> String {
         let name = |body: &usize| symbols::the(&study.model.bodies[*body].name);
-        let others: Vec<String> = self.bodies.iter().filter(|body| **body != self.shown).map(name).collect();
-        let own = name(&self.shown);
+        let (own, all) = (name(&self.shown), self.bodies.iter().map(name).collect::<Vec<_>>());
+        let others: Vec<String> = all.iter().filter(|name| **name != own).cloned().collect();
         let each = if study.model.contacts.is_empty() { "" } else { ", each with its own contacts" };
-        if others.is_empty() { own } else { format!("{own}, and likewise {}{each}", listed(&others)) }
+        let likewise = match row(&all) {
+            Some(row) if others.len() > MOST_NAMED => format!("the other {} of {row}", others.len()),
+            _ => listed(&others),
+        };
+        if others.is_empty() { own } else { format!("{own}, and likewise {likewise}{each}") }
     }
 }
 
@@ -130,7 +134,7 @@ fn held(study: &Study, load: &str) -> String {
     }
 }
 
-/// Names in a row; of many, the first two and the last. Corners are told by their numbers: `corners 1 and 2`.
+/// Names in a row; of many, from where to where they are numbered, or the first two and the last. Corners are told by their numbers: `corners 1 and 2`.
 pub(crate) fn listed(names: &[String]) -> String {
     let number = |name: &String| name.strip_prefix("corner ").map(str::to_owned);
     if names.len() > 1
@@ -141,9 +145,20 @@ pub(crate) fn listed(names: &[String]) -> String {
     match names {
         [] => String::new(),
         [only] => only.clone(),
-        [first, second, .., last] if names.len() > MOST_NAMED => format!("{first}, {second}, …, {last}"),
+        [first, second, .., last] if names.len() > MOST_NAMED => {
+            row(names).unwrap_or_else(|| format!("{first}, {second}, …, {last}"))
+        }
         [before @ .., last] => format!("{} and {last}", before.join(", ")),
     }
+}
+
+/// `b1 to b15` of names that one number tells apart and that leave none out.
+fn row(names: &[String]) -> Option<String> {
+    let (first, last) = (names.first()?, names.last()?);
+    let stem = first.trim_end_matches(|c: char| c.is_ascii_digit());
+    let numbers = names.iter().map(|name| name.strip_prefix(stem)?.parse().ok());
+    let numbers: Vec<u32> = numbers.collect::<Option<_>>()?;
+    numbers.windows(2).all(|pair| pair[1] == pair[0] + 1).then(|| format!("{first} to {last}"))
 }
 
 #[cfg(test)]
@@ -186,7 +201,11 @@ mod tests {
         let names = |count: usize| (1..=count).map(|index| format!("b{index}")).collect::<Vec<_>>();
         assert_eq!(listed(&names(1)), "b1");
         assert_eq!(listed(&names(3)), "b1, b2 and b3");
-        assert_eq!(listed(&names(15)), "b1, b2, …, b15");
+        assert_eq!(listed(&names(15)), "b1 to b15");
+        assert_eq!(
+            listed(&names(15)[1..].iter().chain(&names(1)).cloned().collect::<Vec<_>>()),
+            "b2, b3, …, b1"
+        );
         assert_eq!(listed(&["corner 1", "corner 2"].map(str::to_owned)), "corners 1 and 2");
     }
 }

@@ -94,21 +94,16 @@ fn comparison(
     let curves: Vec<_> =
         over_time.flat_map(|plot| plot.y.iter().map(|curve| (curve, plot.during.as_ref()))).collect();
     let mut columns = vec![Column::words("Run")];
-    columns.extend(study.finds.iter().map(sweep::find_column));
+    columns.extend(study.finds.iter().map(|find| sweep::find_column(study, find)));
     columns.push(Column::numbers("Events"));
     for (curve, _) in &curves {
-        let unit = &curve.quantity.unit;
-        let unit = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
         let name = match &curve.label {
             Some(label) => label.as_str().into(),
             None => Text::from(names.label(&curve.text)),
         };
-        let head = |what: &str| Text::from(format!("{what} ")).and(name.clone()).and(unit.clone());
-        columns.extend([
-            Column::numbers(head("least")),
-            Column::numbers(head("greatest")),
-            Column::numbers(head("last")),
-        ]);
+        let head = |what: &str| Text::from(format!("{what} ")).and(name.clone());
+        let column = |what| Column::numbers(sweep::in_unit(head(what), &curve.quantity.unit));
+        columns.extend(["least", "greatest", "last"].map(column));
     }
     let mut table = PrintedTable::new("The runs side by side", columns);
     let has_events = told.iter().any(|case| case.run.events().next().is_some());
@@ -198,6 +193,7 @@ fn shown(study: &Study, names: &Names, check: &CheckResult) -> CheckRow {
         within: precise(check.within, unit),
         passed: check.holds,
         is_sure: check.is_sure(),
+        is_of_other_values: study.is_set,
     }
 }
 

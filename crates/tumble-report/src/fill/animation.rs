@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 
 use crate::report::Picture;
 use tumble_drawing::curves::Mark;
-use tumble_drawing::free_body::NamedPoint;
+use tumble_drawing::free_body::{Arrow, NamedPoint};
 use tumble_drawing::{
     Animation, Label, LinkKind, MovingBody, MovingCase, MovingForce, MovingLink, Pose, SceneBody,
     SceneDrawing, SceneLink,
 };
 use tumble_expr::{Vector, is_identically_zero};
-use tumble_mech::{Body, Forces, Gravity, Interaction, Record, Run, joined};
+use tumble_mech::{Body, Forces, Gravity, Interaction, Law, Record, Run, joined};
 use tumble_ode::{Occurrence, Side};
 use tumble_scene::{Knob, Study};
 
@@ -23,6 +23,8 @@ use crate::results::{Case, CaseError, equal_times};
 
 /// Frames of a run: smooth at the speed at which it first plays.
 const FRAMES: usize = 320;
+/// Part of a body's reach within which a point of it is where a joint is.
+const HELD: f64 = 1e-6;
 /// More marks than this cannot be told apart on a slider.
 const MOST_MARKS: usize = 40;
 
@@ -164,21 +166,48 @@ pub(super) fn drawing(study: &Study, names: &Names, case: &Case) -> Result<Optio
         kind: link.kind,
         ends: link.ends.first().copied().unwrap_or_default(),
     });
-    let of_body = |body: &Body| -> Vec<(String, Vector)> {
-        body.points.iter().map(|(name, at)| (name.clone(), body.at(at).position())).collect()
-    };
-    let points = study.model.bodies.iter().flat_map(of_body);
     let drawing = SceneDrawing {
         title: Label::default(),
         bodies: bodies.collect::<Result<_, _>>()?,
         surfaces: surfaces(study, run, 0.0)?,
         pivots: pivots(study, run)?,
-        points: placed(run, points)?,
+        points: points(study, run)?,
         links: links.collect(),
+        forces: applied(study, run)?,
         gravity: gravity(study)?,
         wind: wind(study, run)?,
     };
     Ok(Some(Picture::new(drawing.svg(), captions::scene(&drawing))))
+}
+
+/// Joints that hold from the start, and points of bodies that none of them and no pivot holds.
+fn points(study: &Study, run: &Run) -> Result<Vec<NamedPoint>, CaseError> {
+    let model = &study.model;
+    let joints = model.joints.iter().filter(|joint| joint.from.is_none());
+    let mut found = placed(run, joints.map(|joint| (symbols::bare(&joint.name), joint.ends[0].position())))?;
+    let held = [found.clone(), pivots(study, run)?].concat();
+    for body in &model.bodies {
+        let near = HELD * study.number(&body.reach())?;
+        let is_free = |point: &NamedPoint| {
+            held.iter().all(|one| (one.at[0] - point.at[0]).hypot(one.at[1] - point.at[1]) > near)
+        };
+        let own = body.points.iter().map(|(name, at)| (name.clone(), body.at(at).position()));
+        found.extend(placed(run, own)?.into_iter().filter(is_free));
+    }
+    Ok(found)
+}
+
+/// Forces of the scene's own that act at the start.
+fn applied(study: &Study, run: &Run) -> Result<Vec<Arrow>, CaseError> {
+    let forces = joined(&Forces::of(run).at(0.0, Side::After)?).into_iter();
+    let own = forces.filter(|force| force.law == Law::Force && force.force != [0.0; 2]);
+    let arrow = |force: tumble_mech::Force| {
+        let body = &study.model.bodies[force.body];
+        let [x, y] = poses(run, body, [0.0].into_iter())?.pop().unwrap_or_default().centre();
+        let symbol = Label::symbol(&symbols::force(study, &force.load, force.law));
+        Ok(Arrow::new(kind(force.law), symbol, [x + force.arm[0], y + force.arm[1]], force.force))
+    };
+    own.map(arrow).collect()
 }
 
 fn scene_body(study: &Study, names: &Names, run: &Run, body: &Body) -> Result<SceneBody, CaseError> {
@@ -208,4 +237,23 @@ fn gravity(study: &Study) -> Result<Option<([f64; 2], Label)>, CaseError> {
 fn wind(study: &Study, run: &Run) -> Result<Option<([f64; 2], Label)>, CaseError> {
     let at = run.observe(wind_at_origin(study).components())?.at(0.0, Side::After).unwrap_or(vec![0.0; 2]);
     Ok((at[0].hypot(at[1]) > 0.0).then(|| ([at[0], at[1]], Label::symbol("w"))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn described(name: &str) -> String {
+        let (study, cases) = crate::scenes::motions_called(name);
+        let names = Names::of(&study).expect("names");
+        drawing(&study, &names, &cases[0]).expect("a drawing").expect("a picture").svg.description
+    }
+
+    #[test]
+    fn the_start_shows_joints_by_their_names_and_forces_that_act() {
+        let linkage = described("13-four-bar-linkage");
+        assert!(linkage.contains("Point A at") && !linkage.contains("Point end"), "{linkage}");
+        let kicked = described("04-kicked-ball");
+        assert!(kicked.contains("Force F (200, 0) N at (\u{2212}0.09798, 0.05) m."), "{kicked}");
+    }
 }

@@ -1,13 +1,13 @@
 //! The equations of motion as they were integrated, in the symbols of the scene.
 
 use crate::report::{Block, Definition, ModeEquations, Text};
-use tumble_expr::{Expr, Symbol};
+use tumble_expr::{Expr, Symbol, is_identically_zero};
 use tumble_mech::{Anchor, Joint};
 use tumble_notation::Math;
 use tumble_scene::Study;
 
 use super::alike::Kind;
-use super::motion::{Motion, Setting, inertia_name, second};
+use super::motion::{Line, Motion, Setting, inertia_name, second};
 use super::names::{Names, math};
 use super::once::{BESIDE_LAWS, BY_NAME, OTHERS_BY_NAME, defined_once, told_once};
 use super::passed::Passed;
@@ -15,6 +15,8 @@ use super::{passed, words};
 use crate::figures::symbols;
 use crate::results::Case;
 
+/// What a condition on accelerations comes from.
+const STAYS: &str = "what touches or is joined stays together, with one acceleration there";
 /// More modes than this are told of in the table of events only.
 const MOST_MODES: usize = 6;
 
@@ -66,9 +68,23 @@ fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> 
     if let Some(index) = place {
         block.definitions[index].meaning = "about the pivot".into();
     }
+    block.definitions.extend(condition(study, motion));
     block.definitions.extend(seats(study, names, motion));
     block.definitions.extend(second_rate(study, names, motion));
     Some(block)
+}
+
+/// What equations say that are no law of motion.
+fn condition(study: &Study, motion: &Motion) -> Option<Definition> {
+    let zero = Math::equation(Math::Text("\u{2026}".to_owned()), Math::Number("0".to_owned()));
+    let bodies = study.model.bodies.iter().map(|body| body.kinematics());
+    let rates =
+        bodies.flat_map(|own| [own.acceleration_symbols().to_vec(), vec![own.alpha_symbol()]].concat());
+    let rates: Vec<Symbol> = rates.collect();
+    let is_condition = |line: &Line| {
+        is_identically_zero(&line.is) && line.right.symbols().iter().any(|symbol| rates.contains(symbol))
+    };
+    motion.lines.iter().any(is_condition).then(|| Definition { symbol: math(&zero), meaning: STAYS.into() })
 }
 
 /// What `alpha` is where the equation of motion above says `theta''`.

@@ -4,14 +4,13 @@ use std::collections::{BTreeMap, HashMap};
 
 use crate::report::{BodyRow, Identify, QuantityRow, Text};
 use tumble_expr::{Dimension, Expr, Node, Symbol, is_identically_zero};
-use tumble_mech::{Body, Extreme, Shape};
+use tumble_mech::{Body, Shape};
 use tumble_ode::Side;
-use tumble_scene::{Question, Study, SweepAxis, Swept, When};
+use tumble_scene::{Study, SweepAxis, Swept};
 
 use super::names::{MASS, Names, quantity};
-use super::words::spoken;
 use super::{alike, sizes};
-use crate::figures::symbols;
+use crate::figures::{finds, symbols};
 use crate::results::{Case, CaseError, is_angle, unit};
 
 /// States that are the components of one vector.
@@ -62,7 +61,10 @@ fn bodies(study: &Study, names: &Names) -> Result<Vec<BodyRow>, CaseError> {
 
 fn row(study: &Study, names: &Names, body: &Body) -> Result<BodyRow, CaseError> {
     let mass = body.mass_properties();
+    let by_mass = names.with_mass();
     let given = |name: &str, symbol: &str, formula: &Expr, unit: &str| -> Result<QuantityRow, CaseError> {
+        // The place of the centre is a mean by masses; moments of inertia only become longer by their sum.
+        let names = if unit == "m" { &by_mass } else { names };
         let found = QuantityRow {
             name: name.into(),
             symbol: Text::symbol(symbol),
@@ -280,16 +282,7 @@ fn start(
 fn sought(study: &Study) -> Vec<Text> {
     let all = symbols::all(study);
     let called = |text: &str| Text::from(symbols::called(study, &all, text));
-    let find = |question: &Question| {
-        let when = match question.at {
-            When::Extreme { which: Extreme::Greatest, .. } => "the greatest ".to_owned(),
-            When::Extreme { which: Extreme::Least, .. } => "the least ".to_owned(),
-            When::End => return called(&question.that.text).and(" at the end"),
-            When::At(_) => format!("{}: ", spoken(&question.name)),
-        };
-        Text::from(when).and(called(&question.that.text))
-    };
-    let mut sought: Vec<Text> = study.finds.iter().map(find).collect();
+    let mut sought: Vec<Text> = study.finds.iter().map(|find| finds::called(study, find).into()).collect();
     for curve in study.plots.iter().flat_map(|plot| &plot.y) {
         let text = match &curve.label {
             Some(label) => Text::from(tumble_drawing::Label::markup(label)),

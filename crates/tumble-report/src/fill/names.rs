@@ -83,9 +83,10 @@ impl Names {
 
     /// The same with a name for the mass of the only body, which the table of bodies explains.
     pub(crate) fn with_mass(&self) -> Self {
-        let notation =
-            self.mass.iter().fold(self.notation.clone(), |all, (name, mass)| all.define(*name, mass));
-        Self { notation, ..self.clone() }
+        let named = |notation: &Notation| {
+            self.mass.iter().fold(notation.clone(), |all, (name, mass)| all.define(*name, mass))
+        };
+        Self { notation: named(&self.notation), plain: named(&self.plain), ..self.clone() }
     }
 
     /// The mass of a body as laws have it: by its name, if it has one.

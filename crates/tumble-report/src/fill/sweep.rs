@@ -1,13 +1,11 @@
 //! What a report says of a sweep as a whole.
 
 use tumble_drawing::{CurveFigure, Label, Range};
-use tumble_mech::Extreme;
-use tumble_scene::{Question, Study, When};
+use tumble_scene::{Question, Study};
 
 use super::findings::with_digits;
 use super::names::{quantity, quantity_to};
-use super::words::spoken;
-use crate::figures::{captions, case_label, finds, symbols};
+use crate::figures::{captions, case_label, finds};
 use crate::report::{Chart, Column, Picture, Text};
 use crate::results::{Case, Equal, FAMILY, FindResult, Located, Optimum, Runs, Survey, count, digits};
 
@@ -45,18 +43,11 @@ pub(super) fn maps(study: &Study, survey: &Survey) -> Vec<Picture> {
 
 /// Where every answer is greatest and least.
 pub(super) fn findings(study: &Study, runs: Runs<'_>) -> Vec<Text> {
-    let symbols = symbols::all(study);
     let of = |(index, question): (usize, &Question)| {
         let own = runs.survey.located.iter().filter(|located| located.index == index);
         let parts: Vec<Text> = own.map(|located| located_words(study, located)).collect();
         let parts = if parts.is_empty() { among(index, runs).into_iter().collect() } else { parts };
-        let which = match question.at {
-            When::Extreme { which: Extreme::Greatest, .. } => "The greatest ",
-            When::Extreme { which: Extreme::Least, .. } => "The least ",
-            When::End | When::At(_) => "",
-        };
-        let that = Text::from(which).and(symbols::called(study, &symbols, &question.that.text));
-        let head = that.capitalised().and(format!(" ({}) is ", spoken(&question.name)));
+        let head = Text::from(finds::called(study, question)).capitalised().and(" is ");
         let joined = parts.into_iter().reduce(|all, part| all.and("; ").and(part));
         joined.map(|parts| head.and(parts).and("."))
     };
@@ -134,10 +125,13 @@ pub(super) fn others_are_in_files(cases: &[Case], told: &[&Case]) -> Option<Text
 }
 
 /// The heading of an answer's column.
-pub(super) fn find_column(question: &Question) -> Column {
-    let unit = &question.that.quantity.unit;
-    let unit = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
-    Column::numbers(format!("{}{unit}", spoken(&question.name)))
+pub(super) fn find_column(study: &Study, question: &Question) -> Column {
+    Column::numbers(in_unit(finds::called(study, question).into(), &question.that.quantity.unit))
+}
+
+/// A heading with the unit of what stands below it.
+pub(super) fn in_unit(heading: Text, unit: &str) -> Text {
+    if unit.is_empty() { heading } else { heading.and(" (").and(Label::unit(unit)).and(")") }
 }
 
 /// An answer to its verified digits.

@@ -268,7 +268,7 @@ pub(super) fn load(study: &Study, equations: &Equations, name: &str, body: Optio
 }
 
 /// A name of the scene as it is spoken.
-pub(super) fn spoken(name: &str) -> String {
+pub(crate) fn spoken(name: &str) -> String {
     name.replace(['-', '_'], " ")
 }
 

@@ -47,6 +47,9 @@ fn place(text: &str, label: &Underlined) -> String {
 /// What may be changed in a scene, with what it is called: by its symbol, or in words.
 pub fn play(study: &Study) -> String {
     let (play, symbols) = (&study.play, symbols::all(study));
+    let joints = &study.model.joints;
+    let is_assembled = joints.iter().any(|joint| joint.assemble);
+    let holds = |body: &str| joints.iter().any(|joint| joint.bodies().any(|own| own == body));
     let called = |name: &str| match name.split_once(".start.") {
         Some((body, quantity)) => {
             let name = format!("{body}.{quantity}");
@@ -55,7 +58,11 @@ pub fn play(study: &Study) -> String {
                 1 => symbols::called(study, &symbols, &name),
                 _ => symbols::label(&symbols, &name),
             };
-            called.then(Label::plain(" at the start"))
+            // What joints bring to where it fits is not what the body starts with.
+            match is_assembled && holds(body) {
+                true => Label::plain("first guess of ").then(called),
+                false => called.then(Label::plain(" at the start")),
+            }
         }
         None => symbols::label(&symbols, name),
     };
@@ -77,4 +84,17 @@ pub fn play(study: &Study) -> String {
         object([("label", string(&preset.label)), ("text", string(&preset.text)), ("set", list(set))])
     };
     object([("knobs", list(play.knobs.iter().map(knob))), ("presets", list(play.presets.iter().map(preset)))])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn starts_that_joints_bring_to_where_they_fit_are_first_guesses() {
+        let of = |name: &str| play(&crate::scenes::motions_called(name).0);
+        assert!(of("13-four-bar-linkage").contains("first guess of "));
+        let rod = of("02-thrown-rod");
+        assert!(rod.contains(" at the start") && !rod.contains("first guess of "));
+    }
 }

@@ -211,4 +211,6 @@ pub struct CheckRow {
     pub passed: bool,
     /// Whether the error stated is small enough to say so.
     pub is_sure: bool,
+    /// Whether the values are not the scene's own: the value it should have may be stated for those.
+    pub is_of_other_values: bool,
 }

@@ -84,6 +84,8 @@ pub(super) fn forces(forces: &[ForceRow]) -> PrintedTable {
     forces.iter().map(row).fold(table, PrintedTable::row)
 }
 
+/// What is said of a check that does not hold where values were set.
+pub(super) const OF_OTHER_VALUES: &str = "stated for the scene's own values";
 /// What is said of a check that holds: its error may be larger than it may be off, or not.
 pub(super) const PASSED: [&str; 2] = ["passed, within its error", "passed"];
 
@@ -94,7 +96,11 @@ pub(super) const RESULT: usize = 4;
 pub(super) fn checks(checks: &[CheckRow]) -> PrintedTable {
     let columns = ["Check", "Expected", "Found", "Within", "Result"].map(Column::words);
     let row = |check: &CheckRow| {
-        let result = if check.passed { PASSED[usize::from(check.is_sure)] } else { "FAILED" };
+        let result = match (check.passed, check.is_of_other_values) {
+            (true, _) => PASSED[usize::from(check.is_sure)],
+            (false, true) => OF_OTHER_VALUES,
+            (false, false) => "FAILED",
+        };
         let [expected, found, within] = [&check.expected, &check.found, &check.within].map(Clone::clone);
         vec![check.what.clone(), expected, found, within, result.into()]
     };

@@ -137,3 +137,13 @@ fn conditions_of_two_contacts_are_added_up() {
     assert!(lines.contains(&"A_x cos β + A_y sin β = −g sin β − μ_k g cos β".to_owned()), "{lines:?}");
     assert!(!motion.by_law.is_empty() && lines.len() == 3, "{lines:?}");
 }
+
+#[test]
+fn conditions_say_once_what_they_are() {
+    let (study, cases) = crate::scenes::motions_called("13-four-bar-linkage");
+    let names = Names::of(&study).expect("names");
+    let told = crate::fill::model::of(&study, &names, &cases).expect("a model").modes;
+    let blocks = told.iter().flat_map(|mode| &mode.equations);
+    let said = blocks.flat_map(|block| &block.definitions).filter(|one| one.symbol.text == "\u{2026} = 0");
+    assert_eq!(said.map(|one| one.meaning.to_plain()).collect::<Vec<_>>(), [STAYS]);
+}

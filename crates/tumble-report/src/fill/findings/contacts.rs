@@ -1,6 +1,6 @@
 //! Contacts: how many, what the first of them did, when one is lost.
 
-use tumble_mech::{Change, Contact, Happening};
+use tumble_mech::{Change, Contact, Happening, Rule};
 use tumble_ode::Side;
 
 use super::said::Said;
@@ -17,6 +17,8 @@ const LASTS: f64 = 0.02;
 const DIGITS: usize = 4;
 /// Part of the larger by which two speeds have to differ.
 const CHANGES: f64 = 1e-6;
+/// A component of a normal below this is rounding: the plane is level or upright.
+const LEVEL: f64 = 1e-9;
 /// Less than this part of a speed is none: a body that turns has it by rounding.
 const NOTHING: f64 = 1e-12;
 
@@ -59,15 +61,6 @@ fn touched_by(seen: &Seen<'_>, surface: &str) -> Option<Said> {
         Some(last) => value = value.and(", and stays from ").and(seen.event_time(last.start)).and(" on"),
         None => {}
     }
-    if accumulates {
-        let changes = |happened: &[Happening], what: Change| {
-            happened.iter().any(|one| matches!(*one, Happening::Contact { pair, change } if change == what && pairs[pair].name.starts_with(&place)))
-        };
-        let is_followed =
-            |happened: &[Happening]| changes(happened, Change::Impact) && !changes(happened, Change::Zeno);
-        let followed = seen.run.events().filter(|event| is_followed(&event.record.happened)).count();
-        value = value.and(format!("; the first {followed} impacts were followed"));
-    }
     let comes_to_stay = contacts.len() > 1 && contacts.iter().any(|contact| contact.is_open);
     let already = if there.is_empty() { "" } else { "from the start, and later " };
     let said = Said::new(format!("{} touches {} {already}", seen.called(), symbols::the(surface)), value);
@@ -87,7 +80,11 @@ pub(super) fn first_effect(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     }
     let surface = surface_of(seen, first);
     let changes = changes(seen, (first.start, Side::Before), (end, Side::After))?;
-    let before = format!("The first contact of {} with {surface} changes ", seen.called());
+    // Of two bodies either could be meant.
+    let before = match seen.run.equations.pairs()[first.pair].other {
+        Some(_) => format!("{} in its first contact with {surface} changes ", seen.called()),
+        None => format!("The first contact of {} with {surface} changes ", seen.called()),
+    };
     Ok(changes.map(|value| Said::new(before, value)))
 }
 
@@ -125,6 +122,22 @@ pub(super) fn slides(seen: &Seen<'_>) -> Option<Said> {
     let before = format!("{} slides on {} ", seen.called(), surface_of(seen, &whole));
     (is_round && only_slides && changes.contains(&Change::Slides))
         .then(|| Said::new(before, "throughout and never rolls".into()).leading())
+}
+
+/// The inclined plane on which a body is from the start to the end, with the unit vector up along it.
+pub(super) fn incline(seen: &Seen<'_>) -> Result<Option<(String, [f64; 2])>, CaseError> {
+    let mut contacts = joined(seen.contacts().into_iter()).into_iter();
+    let whole = contacts.find(|contact| contact.start == 0.0 && contact.is_open);
+    let rule = whole.map(|whole| seen.run.equations.pairs()[whole.pair].rule);
+    let Some(Rule::Surface(surface)) = rule else { return Ok(None) };
+    let surface = &seen.study.model.surfaces[surface];
+    let [x, y] = [surface.normal.x(), surface.normal.y()];
+    let normal = [seen.at(0.0, x)?, seen.at(0.0, y)?];
+    let is_plane = surface.circle.is_none() && surface.polygon.is_none();
+    let is_inclined = is_plane && normal[0].abs() > LEVEL && normal[1].abs() > LEVEL;
+    let stays = normal == [seen.at(seen.end(), x)?, seen.at(seen.end(), y)?];
+    let up = [-normal[0] * normal[1], normal[0] * normal[0]].map(|part| part / normal[0].abs());
+    Ok((is_inclined && stays).then(|| (symbols::the(&surface.name), up)))
 }
 
 fn surface_of(seen: &Seen<'_>, contact: &Contact) -> String {

@@ -23,13 +23,12 @@ mod seen;
 mod throw;
 mod turning;
 
-use tumble_mech::{Extreme, Gravity};
-use tumble_scene::{Study, When};
+use tumble_mech::Gravity;
+use tumble_scene::{Question, Study};
 
 use super::names::quantity;
 use super::sweep;
-use super::words::spoken;
-use crate::figures::symbols;
+use crate::figures::finds;
 use crate::report::Text;
 use crate::results::{Case, CaseError, FindResult, Runs};
 
@@ -53,14 +52,9 @@ pub(super) fn of(study: &Study, runs: Runs<'_>, told: &[&Case]) -> Result<Vec<Te
 
 /// What the scene asks for.
 fn asked(study: &Study, case: &Case) -> Vec<Text> {
-    let (symbols, end) = (symbols::all(study), case.run.end().unwrap_or(f64::INFINITY));
-    let text = |(find, which): (&FindResult, Option<Extreme>)| {
-        let words = match which {
-            Some(Extreme::Greatest) => "The greatest ".into(),
-            Some(Extreme::Least) => "The least ".into(),
-            None => Text::from(format!("{}: ", spoken(&find.name))).capitalised(),
-        };
-        let words = words.and(symbols::called(study, &symbols, &find.that));
+    let end = case.run.end().unwrap_or(f64::INFINITY);
+    let text = |(find, question): (&FindResult, &Question)| {
+        let words = Text::from(finds::called(study, question)).capitalised();
         let words = match find.during {
             Some([from, to]) if to < end => {
                 words.and(" between ").and(quantity(from, "s")).and(" and ").and(quantity(to, "s"))
@@ -75,11 +69,7 @@ fn asked(study: &Study, case: &Case) -> Vec<Text> {
             None => at(words.and(" is ").and(with_digits(find.value, find.error, &find.unit))),
         }
     };
-    let which = study.finds.iter().map(|find| match find.at {
-        When::Extreme { which, .. } => Some(which),
-        When::End | When::At(_) => None,
-    });
-    case.finds.iter().zip(which).map(text).collect()
+    case.finds.iter().zip(&study.finds).map(text).collect()
 }
 
 /// What is striking in one run.

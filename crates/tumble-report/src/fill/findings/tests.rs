@@ -177,3 +177,30 @@ fn no_run_is_left_out_of_what_matters_in_another() {
     assert!(!has(&found, "The air takes energy"), "{found:?}");
     assert!(!has(&found, "turns"), "{found:?}");
 }
+
+/// On the slope, and not to the side: 16/(2 (sin 20° + 0.4 cos 20°) 9.81) m.
+#[test]
+fn a_body_on_an_incline_ends_farther_along_it() {
+    let found = found_in("17-block-on-a-slope");
+    assert!(has(&found, "The block ends farther up the incline than it began, by 1.13595 m"), "{found:?}");
+}
+
+#[test]
+fn an_answer_has_the_scene_s_name_only_beside_others_in_the_same_words() {
+    let found = found_in("01-pendulum-in-the-wind");
+    assert!(has(&found, "The greatest angle θ is greatest, "), "{found:?}");
+    let twice = "version = 1\nworld.gravity = \"9.81 m/s^2\"\nrun.until = \"1 s\"\n[body.stone]\nball = { radius = \"1 cm\" }\nmass = \"1 kg\"\n\
+                 [find.early]\nthat = \"stone.vy\"\nat = \"its least\"\nduring = [0, \"0.5 s\"]\n\
+                 [find.late]\nthat = \"stone.vy\"\nat = \"its least\"\nduring = [\"0.5 s\", \"1 s\"]\n";
+    let found = self::found(twice);
+    assert!(
+        has(&found, "(early) between 0 s and 0.5 s is ") && has(&found, "(late) from 0.5 s on is "),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn of_two_bodies_the_one_is_named_whose_speed_a_contact_changes() {
+    let found = found_in("24-glancing-disks");
+    assert!(has(&found, "Disk 1 in its first contact with disk 2 changes its speed from 2 to"), "{found:?}");
+}

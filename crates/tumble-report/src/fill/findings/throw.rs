@@ -4,6 +4,7 @@ use tumble_expr::Expr;
 use tumble_mech::{Gravity, Law};
 use tumble_ode::Side;
 
+use super::contacts;
 use super::said::{Said, with_digits};
 use super::seen::Seen;
 use crate::fill::names::quantity;
@@ -11,7 +12,7 @@ use crate::report::Text;
 use crate::results::CaseError;
 
 /// More of one kind are counted, not listed.
-const MOST_LISTED: usize = 3;
+const MOST_LISTED: usize = 2;
 /// Part of the weight that is left over of it and the air at terminal speed.
 const BALANCED: f64 = 0.01;
 /// Part of the farthest it gets that it is away at the end where that is told.
@@ -51,17 +52,24 @@ pub(super) fn apex(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     Ok(value.map(|value| Said::new(before, value.and(more))))
 }
 
-/// It is farther from its start, to the side, than its own size, and about as far as it has ever been: what swings is anywhere at the end.
+/// It is farther from its start, to the side or along the incline that it lies on, than its own size, and about as far as it has ever been:
+/// what swings is anywhere at the end.
 pub(super) fn range(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
-    let x = seen.body.kinematics().position().x().clone();
+    let place = seen.body.kinematics().position();
+    let (x, sides) = match contacts::incline(seen)? {
+        Some((surface, up)) => {
+            let along = place.x() * Expr::from(up[0]) + place.y() * Expr::from(up[1]);
+            (along, ["up", "down"].map(|way| format!("farther {way} {surface} than")))
+        }
+        None => (place.x().clone(), ["right", "left"].map(|side| format!("to the {side} of where"))),
+    };
     let distance = seen.at(seen.end(), &x)? - seen.at(0.0, &x)?;
     let size = seen.study.number(&(seen.body.reach() * 2))?;
     let start = seen.at(0.0, &x)?;
     let farthest = seen.values(&x)?.iter().map(|(_, at)| (at - start).abs()).fold(0.0, f64::max);
-    let side = if distance > 0.0 { "right" } else { "left" };
+    let side = &sides[usize::from(distance < 0.0)];
     let value = with_digits(distance.abs(), seen.error(seen.end(), &x)?, "m");
-    let said =
-        Said::new(format!("{} ends to the {side} of where it began, by ", seen.called()), value).trailing();
+    let said = Said::new(format!("{} ends {side} it began, by ", seen.called()), value).trailing();
     let is_far = distance.abs() > size.max(f64::MIN_POSITIVE) && distance.abs() >= FARTHEST * farthest;
     Ok(is_far.then_some(said))
 }

@@ -263,3 +263,11 @@ fn diagrams_are_of_the_run_with_the_greatest_answer() {
     let (study, cases) = crate::scenes::motions_called("01-pendulum-in-the-wind");
     assert_eq!(fullest(&study, &cases).expect("a run").label, "T = 2 s");
 }
+
+#[test]
+fn the_second_of_two_bodies_has_the_opposite_of_the_impulse() {
+    let (study, cases) = crate::scenes::motions_called("24-glancing-disks");
+    let model = of(&study, &Names::of(&study).expect("names"), &cases).expect("a model");
+    let has_minus = |body: &BodyModel| body.diagrams[0].svg.description.contains("\u{2212}J");
+    assert_eq!(model.bodies.iter().map(has_minus).collect::<Vec<_>>(), [false, true]);
+}

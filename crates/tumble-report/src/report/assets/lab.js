@@ -39,6 +39,7 @@ class Lab {
     this.stop = this.button(view, "Stop", () => this.runs.stop());
     this.stop.hidden = true;
     this.said = make("div", { class: "said", role: "alert", hidden: "" }, view);
+    this.aside = make("p", { class: "note" }, result);
     this.told = make("pre", { class: "told", hidden: "" }, result);
     reachable(this.box);
     this.buildBoard();
@@ -324,6 +325,8 @@ class Lab {
     this.edited = false;
     this.told.hidden = false;
     this.told.textContent = this.lines.join("\n");
+    const isOther = this.set.size > 0 && this.told.textContent.includes(" FAILS");
+    this.aside.textContent = isOther ? "What a check expects was stated for the scene’s own values." : "";
     this.status.textContent = this.label();
     this.player?.update(motion);
     this.showSwept();

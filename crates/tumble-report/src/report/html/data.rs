@@ -11,13 +11,13 @@ use tumble_drawing::text::{Label, Level};
 use tumble_drawing::theme::LineStyle;
 use tumble_drawing::thin::{simplified, thinned};
 
-/// Steps over the range of the data: values keep five digits of it, a hundred times what a screen shows.
-const STEPS: f64 = 1e5;
+/// Steps over the range of the data: fifty times what a screen shows.
+const STEPS: f64 = 5e4;
 /// Curves of fewer points are kept as they are, so that readers see true values.
-const MANY: usize = 3000;
+const MANY: usize = 1000;
 /// Curves of more points are judged on a page of this width and height in pixels, to one pixel. Those that
 /// run forward are judged on a page so wide that no curve is steep: distances from them are upright.
-const SIDE: f64 = 1e4;
+const SIDE: f64 = 6e3;
 const WIDE: f64 = 1e7;
 /// Columns of that page in which a longer curve keeps its extremes.
 const COLUMNS: f64 = 1000.0;

@@ -27,7 +27,9 @@ const STACKED: usize = 3;
 /// A table of the report.
 pub(super) fn table(table: &PrintedTable) -> String {
     let grid = grid(table, &cells(table));
-    let is_long = table.rows.len() > if table.is_upright { KEPT } else { FOLD };
+    // What is a list of its own, and not beside others.
+    let is_listed = table.is_upright || table.file.is_some();
+    let is_long = table.rows.len() > if is_listed { KEPT } else { FOLD };
     let grid = if is_long { long(table, &grid) } else { grid };
     let notes = table.notes.iter().cloned().chain(table.all_rows());
     let notes: String = notes.map(|note| tagged("p", "note", &Page::text(&note))).collect();
@@ -49,8 +51,10 @@ fn long(table: &PrintedTable, grid: &str) -> String {
         let words = format!("These are the first {FOLD} of {} rows; all are in {file}.", table.rows.len());
         tagged("p", "note paper", &escape(&words))
     });
+    // The table's own would stand above the first of the columns alone.
+    let above = tagged("p", "caption paper", &Page::text(&table.caption));
     format!(
-        "<div class=\"{class}\" style=\"--beside:{}\">\n{grid}{}</div>\n",
+        "<div class=\"{class}\" style=\"--beside:{}\">\n{above}{grid}{}</div>\n",
         beside(table),
         said.unwrap_or_default()
     )
@@ -128,9 +132,10 @@ pub(super) fn checks(checks: &[CheckRow]) -> String {
     let table = PrintedTable { stacked: true, ..rows::checks(checks) };
     let mut cells = cells(&table);
     for (row, check) in cells.iter_mut().zip(checks) {
-        let (class, sign, result) = match check.passed {
-            true => ("passed", "✓", rows::PASSED[usize::from(check.is_sure)]),
-            false => ("failed", "✗", "failed"),
+        let (class, sign, result) = match (check.passed, check.is_of_other_values) {
+            (true, _) => ("passed", "✓", rows::PASSED[usize::from(check.is_sure)]),
+            (false, true) => ("note", "–", rows::OF_OTHER_VALUES),
+            (false, false) => ("failed", "✗", "failed"),
         };
         row[rows::RESULT] = format!("<span class=\"{class}\">{sign}\u{a0}{result}</span>");
     }

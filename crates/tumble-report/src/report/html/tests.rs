@@ -87,6 +87,7 @@ fn check() -> CheckRow {
         within: words(),
         passed: false,
         is_sure: true,
+        is_of_other_values: false,
     }
 }
 
@@ -274,9 +275,13 @@ fn long_tables_stand_in_columns_on_paper_and_say_where_hundreds_of_rows_are() {
     let sentence = "all are in run-001/events.csv";
     let file = Some("run-001/events.csv");
     assert!(
-        page(300, "the tip strikes the floor", file).contains("<div class=\"long\" style=\"--beside:3\">")
+        page(300, "the tip strikes the floor", file)
+            .contains("<div class=\"long\" style=\"--beside:3\">\n<p class=\"caption paper\">")
     );
     assert!(!page(300, "", file).contains(sentence));
+    let is_in_columns =
+        |count: usize, file: Option<&str>| page(count, "", file).contains("<div class=\"long\"");
+    assert!(is_in_columns(9, file) && !is_in_columns(8, file) && !is_in_columns(20, None));
     assert!(page(301, &"long ".repeat(12), file).contains("<div class=\"long filed\" style=\"--beside:2\">"));
     assert!(page(301, "", file).contains(sentence));
     // Nowhere else: paper has them all.
@@ -300,4 +305,16 @@ fn equal_reports_give_equal_bytes() {
 fn remarks_of_scripts_are_not_mailed() {
     let script = "// What it is.\n  /** One. */\n  one(); // here\n";
     assert_eq!(super::page::joined(&[script, "two(\"//\");\n"]), "  one(); // here\ntwo(\"//\");\n");
+}
+
+#[test]
+fn what_is_expected_of_other_values_has_not_failed() {
+    let page = |is_of_other_values: bool| {
+        let mut report = Report::default();
+        report.analyze.checks = vec![CheckRow { is_of_other_values, ..check() }];
+        report.html()
+    };
+    let [own, other] = [false, true].map(page);
+    assert!(own.contains("1 of 1 checks failed.") && !own.contains(rows::OF_OTHER_VALUES));
+    assert!(!other.contains("checks failed.") && other.contains(rows::OF_OTHER_VALUES));
 }
