@@ -30,13 +30,13 @@ const SCRIPTS: [&str; 7] = [
     include_str!("../assets/page.js"),
 ];
 
-/// Scripts as one, without the lines that are for those who read the sources: a page is mailed.
+/// Scripts as one, without indents and the lines that are for those who read the sources: a page is mailed.
 pub(crate) fn joined(scripts: &[&str]) -> String {
     let is_remark = |line: &&str| {
-        let line = line.trim();
-        line.starts_with("//") || (line.starts_with("/**") && line.ends_with("*/"))
+        line.is_empty() || line.starts_with("//") || (line.starts_with("/**") && line.ends_with("*/"))
     };
-    let lines = scripts.iter().flat_map(|script| script.lines()).filter(|line| !is_remark(line));
+    let lines =
+        scripts.iter().flat_map(|script| script.lines()).map(str::trim).filter(|line| !is_remark(line));
     lines.flat_map(|line| [line, "\n"]).collect()
 }
 
