@@ -205,7 +205,7 @@ fn random_disks_gain_nothing_and_pass_through_nothing() {
 /// As one disk rolls over another that nothing holds beside it, the forces between several of them come to zero together, and none goes on beyond it.
 #[test]
 fn where_forces_come_to_zero_together_nothing_pulls() {
-    assert_eq!(attack(5029, true, 2.25), Ok(()));
+    assert_eq!(attack(5029, true, 3.0), Ok(()));
 }
 
 #[test]

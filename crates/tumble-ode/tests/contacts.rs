@@ -303,3 +303,17 @@ fn the_sign_of_a_force_that_moves_nothing_need_not_be_known() {
     let pulls = run(&with(vec![held(-1e-3, 1e-40)]), &start, 20.0);
     assert_eq!(times(&pulls)[..1], [0.0]);
 }
+
+/// The jump that a force led to as it came to zero may leave it there, and it goes on to pull.
+#[test]
+fn what_goes_on_beyond_zero_that_its_jump_left_there_ends_the_flow_again() {
+    let events = |again: bool| {
+        let at_zero = AtZero::EndsIfItMoves { response: Expr::one(), group: 0, again };
+        let guards = vec![Guard { at_zero, ..guard("force", leaf("v")) }];
+        let toy = Toy { guards, ..falling(|at| Jump::to(*at.mode, at.states.to_vec())) };
+        run_with(&toy, &[0.0, 1.0], 1.0, vec![]).map(|motion| times(&motion).len())
+    };
+    assert_eq!(events(false).expect("a motion"), 1);
+    let refused = events(true).expect_err("it is left to pull").refusal;
+    assert!(matches!(refused.reason, Reason::Chatter { .. }), "{refused:?}");
+}
