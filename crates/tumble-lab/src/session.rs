@@ -189,6 +189,7 @@ fn told(case: &Case) -> String {
         ("end", number(finished.end)),
         ("finds", list(finished.finds.iter().map(find))),
         ("success", finished.is_success().to_string()),
+        ("fails", finished.checks.iter().any(|check| !check.holds).to_string()),
         ("said", live::said(&finished.said)),
         ("bits", string(&format!("{:016x}", bits(case)))),
     ])

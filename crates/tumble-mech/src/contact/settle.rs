@@ -112,8 +112,6 @@ struct Settling<'a> {
     rounds: usize,
     /// Whether rounding says which of several strikes first.
     is_unresolved: bool,
-    /// Whether this is a check run, and rounding has a say in what the impacts come to.
-    is_doubtful: bool,
     /// Those that the last impact has given the rate that their restitution asks for, which is not none.
     rebounding: Vec<usize>,
     /// Those that open though nothing of it is seen yet but rounding.
@@ -217,9 +215,8 @@ impl<'a> Settling<'a> {
         };
         let part = (0..touch.pairs.len()).filter(takes_part).collect();
         let is_unresolved = is_unresolved(equations, &touch, touched, now, jump);
-        let is_doubtful = is_unresolved && !equations.rounding().is_nearest();
         let before = Self::before(equations, island, touch, now);
-        let mut settling = Self { part, is_unresolved, is_doubtful, ..before };
+        let mut settling = Self { part, is_unresolved, ..before };
         settling.doubt();
         Ok(settling)
     }
@@ -242,16 +239,15 @@ impl<'a> Settling<'a> {
             then: touch.free.clone(),
             touch,
             is_unresolved: false,
-            is_doubtful: false,
             rebounding: vec![],
             opening: vec![],
         }
     }
 
-    /// Where rounding says which of several strikes first, contacts give back all or nothing, whichever is further from what they should: what is
+    /// Where rounding says which of several strikes first, contacts of a check run give back all or nothing, whichever is further from what they should: what is
     /// left of their speeds by then is what is unknown.
     fn doubt(&mut self) {
-        if self.is_doubtful {
+        if self.is_unresolved && !self.equations.rounding().is_nearest() {
             let rigid = self.touch.pairs.iter().map(|pair| self.equations.pairs()[*pair].is_rigid());
             for (e, _) in self.touch.restitution.iter_mut().zip(rigid).filter(|(_, is_rigid)| *is_rigid) {
                 *e = if *e < 0.5 { 1.0 } else { 0.0 };

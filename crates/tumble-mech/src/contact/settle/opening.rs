@@ -48,6 +48,7 @@ impl Settling<'_> {
         let (opens, closes) = lifted.iter().filter(is_all).partition(|position| then[**position] > 0.0);
         [opens, closes]
     }
+
     /// Of some contacts those that friction and the others let open, and those that press. What does not press opens, however slowly: its force
     /// was seen to come down to zero. Where others may hold what they hold, they do.
     fn parted(

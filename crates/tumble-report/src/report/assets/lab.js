@@ -272,6 +272,7 @@ class Lab {
     const act = {
       began: () => {
         this.lines = [];
+        this.fails = false;
         this.progress.removeAttribute("value");
         this.busy(true);
       },
@@ -312,8 +313,9 @@ class Lab {
     }
   }
 
-  takeRun({ told, said }) {
+  takeRun({ told, said, fails }) {
     this.lines.push(told);
+    this.fails ||= fails;
     this.warnings.push(...said.list);
   }
 
@@ -325,7 +327,7 @@ class Lab {
     this.edited = false;
     this.told.hidden = false;
     this.told.textContent = this.lines.join("\n");
-    const isOther = this.set.size > 0 && this.told.textContent.includes(" FAILS");
+    const isOther = this.set.size > 0 && this.fails;
     this.aside.textContent = isOther ? "What a check expects was stated for the scene’s own values." : "";
     this.status.textContent = this.label();
     this.player?.update(motion);

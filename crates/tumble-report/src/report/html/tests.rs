@@ -302,9 +302,9 @@ fn equal_reports_give_equal_bytes() {
 }
 
 #[test]
-fn remarks_of_scripts_are_not_mailed() {
+fn remarks_and_indents_of_scripts_are_not_mailed() {
     let script = "// What it is.\n  /** One. */\n  one(); // here\n";
-    assert_eq!(super::page::joined(&[script, "two(\"//\");\n"]), "  one(); // here\ntwo(\"//\");\n");
+    assert_eq!(super::page::joined(&[script, "two(\"//\");\n"]), "one(); // here\ntwo(\"//\");\n");
 }
 
 #[test]
