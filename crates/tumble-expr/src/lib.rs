@@ -62,7 +62,9 @@ pub use outline::Skeleton;
 pub use remainder::Remainders;
 pub use rounding::{LEFT_OUT, Rounding, rounded_sum};
 pub use same::{Formulas, is_renamed};
-pub use scalar::{Interval, Lanes, Lanewise, Rounded, Scalar, is_short, nearest};
+pub use scalar::{
+    Drawn, Inexact, Interval, Lanes, Lanewise, OneError, Rounded, RoundingError, Scalar, is_short, nearest,
+};
 pub use shape::SparsityPattern;
 pub use sparse::SparseSystem;
 pub use substitute::Substitution;

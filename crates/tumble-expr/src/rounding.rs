@@ -93,6 +93,14 @@ impl Rounding {
     }
 }
 
+/// By how many eps a number is off one of its roundings: a half to one, up or down, as its first digits and what its error was before have it.
+pub(crate) fn drawn(value: f64, error: f64) -> f64 {
+    let told = |of: f64| of.to_bits() >> (u64::BITS - 12 - TOLD_APART);
+    let bits = mix(mix(told(value)) ^ told(error));
+    let sign = if bits & 1 == 0 { 1.0 } else { -1.0 };
+    sign * (0.5 + 0.5 * (bits >> 11) as f64 / (1_u64 << 53) as f64)
+}
+
 /// A sum, rounded, and what rounding leaves out of it; exact where the change is the smaller one.
 pub fn rounded_sum(value: f64, change: f64) -> (f64, f64) {
     let after = value + change;

@@ -3,9 +3,10 @@
 mod beyond;
 mod branches;
 mod hits;
+mod off;
 
 use smallvec::{SmallVec, smallvec};
-use tumble_expr::{Active, Branches, Jets, Remainders, Rounded, Row, Turning};
+use tumble_expr::{Active, Branches, Drawn, Jets, Remainders, Rounded, Row, Turning};
 
 use crate::Reason;
 use crate::check::{Check, Verdict};
@@ -44,6 +45,8 @@ pub(crate) struct Engine {
     /// Room for what they are evaluated at.
     pub(crate) rounded_leaves: Vec<Rounded>,
     pub(crate) rounded_signs: Vec<Rounded>,
+    /// Rates with one of the errors that rounding may have made: made where a motion is rounded in another way.
+    drawn: Option<Box<Jets<Drawn>>>,
     /// Made when the first step needs it.
     pub(crate) enclosure: Option<Enclosure>,
     pub(crate) halvings: Halvings,
@@ -83,6 +86,7 @@ impl Engine {
             rounded,
             rounded_leaves: vec![],
             rounded_signs: vec![],
+            drawn: None,
             enclosure: None,
             halvings: Halvings::default(),
             remainders: Remainders::default(),

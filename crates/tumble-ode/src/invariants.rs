@@ -10,7 +10,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Jets, SparseSystem};
+use tumble_expr::{Branches, Jets, LEFT_OUT, Rounding, SparseSystem};
 
 use crate::compiled::Compiled;
 use crate::flow::Invariant;
@@ -35,6 +35,7 @@ const CORRECTIONS: usize = 2;
 pub(crate) struct Invariants {
     /// Outputs: each function, then its slopes.
     values: Jets<f64>,
+    rounding: Rounding,
     rows: Arc<Rows>,
     /// `J W J^T`, and what a correction is found in.
     normal: SparseSystem,
@@ -139,6 +140,7 @@ impl Invariants {
         let (normal, shares) = (rows.normal.clone(), vec![0.0; rows.list.len()]);
         Self {
             values,
+            rounding: program.rounding,
             rows,
             normal,
             entries: vec![],
@@ -223,11 +225,16 @@ impl Invariants {
         self.normal.factor(&self.entries) > 0.0
     }
 
-    /// Moves the states by one correction, where the functions have been evaluated.
+    /// Moves the states by one correction, where the functions have been evaluated. Rounded in another way, they are to be what rounding of the
+    /// states makes of zero: far from the origin a place that cannot take a correction up leaves it to others.
     fn correct(&mut self, states: &mut [f64]) {
         let of = |output: usize| self.values.value_of(output);
+        let zero = |row: &Row| {
+            let spacing: f64 = row.slopes().map(|(state, slope)| (of(slope) * states[state]).abs()).sum();
+            self.rounding.draw(spacing, row.output as u64) * LEFT_OUT * f64::EPSILON * spacing
+        };
         self.off.clear();
-        self.off.extend(self.rows.list.iter().map(|row| of(row.output)));
+        self.off.extend(self.rows.list.iter().map(|row| of(row.output) - zero(row)));
         self.normal.solve(&self.off, &mut self.shares);
         self.step.clear();
         self.step.resize(states.len(), 0.0);

@@ -300,7 +300,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let now = (self.time, self.states.as_slice(), self.compensation.as_slice());
         self.engines[mode].watch_noise(&mut self.noise, now);
         self.scales.watch_rates(&self.engines[mode].system, &self.noise);
-        self.watch_off();
+        self.watch_off(mode);
     }
 
     /// Changes branch signs at the end of a step.

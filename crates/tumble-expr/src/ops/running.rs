@@ -4,41 +4,39 @@ use super::amplified::Amplifier;
 use super::kernels::Kernels;
 use super::solve::{Bench, Matrix, System};
 use super::{Series, Slot};
-use crate::{Rounded, Scalar};
+use crate::Scalar;
+use crate::scalar::{Inexact, RoundingError};
 
-type Errors<'a> = Series<'a, Rounded>;
-
-impl Kernels for Rounded {
-    fn norm(series: &Errors<'_>, parts: u32) -> Self {
+impl<E: RoundingError> Kernels for Inexact<E> {
+    fn norm(series: &Series<'_, Self>, parts: u32) -> Self {
         let parts = series.tape.norms[parts as usize].iter().map(|part| series.first(*part));
-        let hypot = |of: fn(&Self) -> f64| parts.clone().map(|part| of(&part)).fold(0.0, libm::hypot);
-        let value = hypot(|part| part.value);
-        let error = hypot(|part| part.error);
-        Self { value, error: error + if error == 0.0 && value == 0.0 { 0.0 } else { value } }
+        let value = parts.clone().map(|part| part.value).fold(0.0, libm::hypot);
+        let error = E::of_length(value, parts);
+        Self { value, error: if error.is_none() && value == 0.0 { error } else { error.rounded(value) } }
     }
 
-    fn norm_coefficient(_: &Errors<'_>, _: u32, _: (Slot, Self), _: usize) -> Self {
+    fn norm_coefficient(_: &Series<'_, Self>, _: u32, _: (Slot, Self), _: usize) -> Self {
         Self::zero()
     }
 
-    fn square_over(series: &Errors<'_>, (of, by, _): (Slot, Slot, u32)) -> Self {
+    fn square_over(series: &Series<'_, Self>, (of, by, _): (Slot, Slot, u32)) -> Self {
         let (a, b) = (series.first(of), series.first(by));
         if a.value == 0.0 && b.value == 0.0 { Self::zero() } else { a * a / b }
     }
 
-    fn square_over_coefficient(_: &Errors<'_>, _: (Slot, Slot, u32), _: &[Self], _: usize) -> Self {
+    fn square_over_coefficient(_: &Series<'_, Self>, _: (Slot, Slot, u32), _: &[Self], _: usize) -> Self {
         Self::zero()
     }
 
-    fn factor(series: &Errors<'_>, matrix: &Matrix, bench: &mut Bench<Self>, factors: &mut [Self]) {
+    fn factor(series: &Series<'_, Self>, matrix: &Matrix, bench: &mut Bench<Self>, factors: &mut [Self]) {
         let Bench { numbers, lanes, .. } = bench;
         lanes.resize(factors.len(), 0.0);
         matrix.plan.factor(|entry| series.first(matrix.entries[entry]).value, numbers, lanes);
         factors.iter_mut().zip(lanes).for_each(|(factor, value)| *factor = Self::splat(*value));
     }
 
-    /// Off by `|A^-1|` times what the right sides and the matrix are off by.
-    fn solve(series: &Errors<'_>, system: &System, Bench { right, x, .. }: &mut Bench<Self>) {
+    /// Off by `A^-1` times what the right sides and the matrix are off by.
+    fn solve(series: &Series<'_, Self>, system: &System, Bench { right, x, .. }: &mut Bench<Self>) {
         let Matrix { shape, entries, plan, .. } = series.matrix(system);
         let factors: Vec<f64> = series.factors_of(system).iter().map(|factor| factor.value).collect();
         let inverse = Amplifier { plan, factors: &factors };
@@ -46,11 +44,12 @@ impl Kernels for Rounded {
         let off = |row: usize| {
             let by_matrix = shape.entries_of(row).map(|(entry, column)| {
                 let entry = series.first(entries[entry]);
-                (entry.error + entry.value.abs()) * found[column].abs()
+                entry.error.rounded(entry.value).times(-found[column])
             });
-            right[row].error + by_matrix.sum::<f64>()
+            right[row].error.and(by_matrix.fold(E::NONE, E::and))
         };
-        let errors = inverse.likely(&(0..right.len()).map(off).collect::<Vec<_>>());
+        let rows = (0..right.len()).map(off).collect();
+        let errors = E::of_unknowns(rows, |rows| inverse.solve(rows), |rows| inverse.likely(rows));
         let both = found.iter().zip(errors).map(|(value, error)| Self { value: *value, error });
         x.iter_mut().zip(both).for_each(|(x, found)| *x = found);
     }

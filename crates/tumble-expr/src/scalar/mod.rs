@@ -18,7 +18,7 @@ use crate::table::Table;
 
 pub use interval::Interval;
 pub use lanes::{Lanes, Lanewise};
-pub use rounded::{Rounded, is_short};
+pub use rounded::{Drawn, Inexact, OneError, Rounded, RoundingError, is_short};
 
 /// What evaluators compute with.
 pub trait Scalar:

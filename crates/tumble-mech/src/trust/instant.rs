@@ -3,14 +3,13 @@
 use tumble_expr::{Branches, Expr, Jets, Node, Rounded, is_short};
 use tumble_ode::{MotionState, Side};
 
-use crate::coordinates::Measure;
 use crate::evaluator::evaluate;
 use crate::mode::Mode;
 use crate::run::{Run, RunError};
 use crate::trust::ULPS;
 use crate::trust::check_run::CheckRun;
 use crate::trust::errors::{self, Errors, larger};
-use crate::trust::part::{MEASURES, Part, event_blur, instant_blur, kinematics};
+use crate::trust::part::{Part, event_blur, instant_blur, kinematics};
 
 /// Rates are differences over this part of a piece: far more than rounding tells apart, far less than anything changes in.
 const RATE_PART: f64 = 1e-6;
@@ -55,8 +54,7 @@ impl Part {
         }
         let rounded = if is_short(at.time) { 0.0 } else { f64::EPSILON * at.time };
         let moved = quantity.rate() * at.off.max(rounded) + self.jumps(formula, at)?;
-        let drift = if quantity.is_held() { quantity.carried(&drift(run)) } else { 0.0 };
-        Ok(Some(along + noise + moved + drift))
+        Ok(Some(along + noise + moved))
     }
 
     /// The largest difference of a formula to the check runs at one instant, with their safety; zero where they do not come to it.
@@ -105,17 +103,15 @@ impl Part {
     }
 }
 
-/// What rounding of the forces that hold a body may have moved it by within the run, by [`kinematics`]: all runs round alike what
-/// does not move.
-fn drift(run: &Run) -> Vec<f64> {
-    let of = |measure: Measure| run.trajectory().rounding.get(measure as usize).copied().unwrap_or(0.0);
-    let span = run.trajectory().end().unwrap_or(0.0);
-    let one = MEASURES.map(|measure| match measure {
-        Measure::Length => of(measure) + span * of(Measure::Speed),
-        Measure::Angle => of(measure) + span * of(Measure::AngularRate),
-        _ => of(measure),
-    });
-    one.repeat(run.bodies().len())
+/// See [`super::Trust::rounding_at`]; the run is one motion.
+pub(super) fn rounding_at(
+    run: &Run,
+    formula: &Expr,
+    (time, side): (f64, Side),
+) -> Result<Option<f64>, RunError> {
+    let motion = run.motion();
+    let Some(place) = motion.place_at(time, side) else { return Ok(None) };
+    Ok(Some(NOISE * Quantity::new(run, formula, &place)?.noise()?))
 }
 
 /// Whether a formula holds anything of the motion, and not parameters alone.
@@ -175,11 +171,6 @@ impl<'a> Quantity<'a> {
             sum += change(self, error).max(change(self, -error));
         }
         sum
-    }
-
-    /// Whether a body lies on a rigid surface there.
-    fn is_held(&self) -> bool {
-        self.run.trajectory().modes[self.place.mode].held().next().is_some()
     }
 
     /// How fast the value changes, per s, on the way there: what an event comes to depends on what was before it.

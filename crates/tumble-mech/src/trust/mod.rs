@@ -19,8 +19,7 @@
 //! the largest difference of the times, and what rounding of the function does that is crossed.
 //!
 //! What an event or an extremum says is compared with what it says in each check run: SAFETY times the largest difference of f, and
-//! what rounding of the instant does by the rate before it. A body that lies on a rigid surface has, besides, what rounding of the
-//! forces on it may have moved it by: all runs round alike what does not move.
+//! what rounding of the instant does by the rate before it.
 //!
 //! # Symbols and units
 //! f as the quantity; t, tau, s; x, e as the state; eps the spacing of doubles at 1.
@@ -302,6 +301,12 @@ impl Trust {
     /// What rounding of the function that was crossed, and of the time itself, may have done to the time of an event, s.
     pub fn event_blur(run: &Run, time: f64) -> f64 {
         run.tracks().map(|track| part::event_blur(track, time)).fold(0.0, f64::max)
+    }
+
+    /// What rounding of a formula and of the states that it is of may have done to it; `None` where the motion does not come to the
+    /// time. All runs may round alike what does not move, as places far from the origin.
+    pub fn rounding_at(run: &Run, formula: &Expr, at: (f64, Side)) -> Result<Option<f64>, RunError> {
+        instant::rounding_at(&run.along(std::slice::from_ref(formula)), formula, at)
     }
 
     /// What rounding may have moved the instant of an event by that its quantities are of, s: of one that is located not what its

@@ -186,7 +186,7 @@ pub(super) fn instant_blur(motion: &Motion<Equations>, time: f64) -> f64 {
 }
 
 /// What [`kinematics`] are measured in.
-pub(super) const MEASURES: [Measure; 6] =
+const MEASURES: [Measure; 6] =
     [Measure::Length, Measure::Length, Measure::Angle, Measure::Speed, Measure::Speed, Measure::AngularRate];
 
 /// What their errors are relative to: the scales of the states, and at least the largest value of their kind.

@@ -16,17 +16,14 @@ const LATE: u64 = u64::MAX;
 impl<H: Hybrid> Solver<'_, H> {
     /// Finds what each rate is off by in this step, rounded in another way: a force that is off by it acts on all that follows from
     /// it.
-    pub(super) fn watch_off(&mut self) {
-        let Self { rounding, states, noise, off, .. } = self;
-        off.clear();
-        if !rounding.is_nearest() {
-            let rates = states.iter().zip(&noise.rates).enumerate();
-            off.extend(
-                rates.map(|(state, (value, error))| {
-                    rounding.draw(*value, state as u64) * RATE_ROUNDING * error
-                }),
-            );
+    pub(super) fn watch_off(&mut self, mode: usize) {
+        self.off.clear();
+        if self.rounding.is_nearest() {
+            return;
         }
+        let Self { time, rounding, states, compensation, off, .. } = self;
+        self.engines[mode].watch_off(off, *rounding, (*time, states, compensation));
+        off.iter_mut().for_each(|off| *off *= RATE_ROUNDING);
     }
 
     /// Moves the states by what rounding may have made of them at this instant, and back to what is known to be zero.

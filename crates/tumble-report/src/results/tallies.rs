@@ -117,5 +117,10 @@ fn impulse(run: &Run, place: &str, count: Count, axis: &str) -> Option<Tally> {
         "y" => y,
         _ => size,
     };
-    Some(Tally { value, blur: ROUNDING * size, kind: Kind::Impulse(contact.start) })
+    // Far from the origin all runs round alike the places that the normal is found from.
+    let normal = &pairs[contact.pair].normal;
+    let rounding =
+        |axis: usize| Trust::rounding_at(run, &normal[axis], (contact.start, Side::Before)).ok()?;
+    let turned = rounding(0)?.hypot(rounding(1)?);
+    Some(Tally { value, blur: (ROUNDING + turned) * size, kind: Kind::Impulse(contact.start) })
 }

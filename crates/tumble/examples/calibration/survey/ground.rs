@@ -44,9 +44,7 @@ impl Ground {
         let is_sloped = setup.draw.chance(sloped);
         let size = if is_sloped { setup.draw.sign() * setup.draw.between(SLOPES[0], SLOPES[1]) } else { 0.0 };
         let slope = setup.angle("slope", size);
-        // Far above the origin x is known on a slope to the rounding of y only, and its error does not say so.
-        let foot_y = if is_sloped { setup.given("foot_y", 0.0, LENGTH) } else { setup.shift("foot_y") };
-        let foot = [setup.shift("foot_x"), foot_y];
+        let foot = [setup.shift("foot_x"), setup.shift("foot_y")];
         Self { mass, gravity, slope, foot }
     }
 

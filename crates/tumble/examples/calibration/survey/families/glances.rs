@@ -17,7 +17,7 @@ use super::super::draw::Draw;
 use super::super::ground::{Round, friction};
 use super::super::real::Real;
 use super::super::setup::{At, Given, Problem, Setup};
-use super::super::units::{LENGTH, MASS, NUMBER, RATE, SPEED, TIME};
+use super::super::units::{LENGTH, MASS, MOMENTUM, NUMBER, RATE, SPEED, TIME};
 
 /// Coefficients of friction.
 const FRICTION: [f64; 2] = [0.02, 1.2];
@@ -96,8 +96,9 @@ pub(super) fn make(mut setup: Setup) -> Problem {
     let size = setup.draw.between(1.6, 4.0);
     let until = setup.near("until", &(&hit * Real::of(size)), TIME);
     setup.ask_time("rims.contact[1].start", &hit);
-    // Impulses are not asked for: far from the origin their directions are known to the rounding of places only, and their errors do not
-    // say so.
+    for (axis, part) in ["x", "y"].into_iter().zip(&impulse) {
+        setup.ask(&format!("rims.contact[1].impulse.{axis}"), At::End, part, MOMENTUM);
+    }
     let late = &until.value - &hit;
     let mut ask = |name: &str, body: &One, sign: i64, start: [Real; 2]| {
         let rates = [0, 1].map(|axis| &body.velocity[axis].value + &impulse[axis] * sign / &body.mass.value);
