@@ -5,8 +5,8 @@
 // A page is at fault if it writes an error to the console, throws, or asks for anything that is not a file of this
 // machine or part of the page. Requests to a network are stopped, so a run never leaves the machine.
 // A page with a motion must play it, one with curves must answer a pointer, and none may be wider than a narrow window
-// or fail to print, or cut a figure or lose rows of a table in print. In a narrow window no text may be too small to read and no equation wider
-// than its box; light and dark, text must stand out from what is behind it.
+// or fail to print, or cut a figure or lose rows of a table in print; a report has few pages there. In a narrow window no
+// text may be too small to read and no equation wider than its box; light and dark, text must stand out from what is behind it.
 // Status: 0 all pages are good, 1 a page is at fault, 2 the checker itself failed.
 
 import { mkdtemp, rm } from "node:fs/promises";
@@ -31,8 +31,10 @@ const LEAST_TEXT = 11;
 const LEAST_CONTRAST = 4.5;
 // Faults of one kind that are listed for a page.
 const LISTED = 4;
-// What the margins of a report leave of A4, in pixels of 1/96 inch: 182 mm by 270 mm.
-const PAPER = { width: 688, height: 1020 };
+// What the margins of a report leave of A4, in pixels of 1/96 inch: 182 mm by 273 mm.
+const PAPER = { width: 688, height: 1031 };
+// Pages of a printed report.
+const MOST_PAGES = 6;
 const LOCAL = /^(file|data|blob|about):/;
 
 function watch(page, faults) {
@@ -184,6 +186,8 @@ async function printed(page) {
   await page.emulateMedia({ media: "print" });
   await page.setViewportSize(PAPER);
   const faults = await page.evaluate(cutFigures, PAPER);
+  const pages = (pdf.toString("latin1").match(/\/Type \/Page\b/g) ?? []).length;
+  if (pages > MOST_PAGES && (await page.locator("#identify").count()) > 0) faults.push(`the report has ${pages} pages in print`);
   faults.push(...(await page.evaluate(lostRows)));
   faults.push(...untagged(pdf.toString("latin1"), await page.evaluate(readAloud)));
   await page.emulateMedia({ media: null });

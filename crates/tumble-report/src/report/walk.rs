@@ -80,12 +80,13 @@ pub(super) trait Writer: Markup {
 
     fn model(&mut self, model: &ModelPart) -> String {
         let bodies: Vec<_> = model.bodies.iter().map(|body| self.body(body)).collect();
+        let equations =
+            Self::joined([Self::equations_of_motion(&model.modes), Self::impacts(&model.impacts)]);
         Self::joined([
             Self::paragraphs(&model.intro),
             Self::titled("Assumptions", Self::list(&model.assumptions)),
             Self::joined(bodies),
-            Self::equations_of_motion(&model.modes),
-            Self::impacts(&model.impacts),
+            Self::group("columns", equations),
         ])
     }
 
@@ -139,9 +140,10 @@ pub(super) trait Writer: Markup {
     fn analyze(&mut self, analyze: &Analyze) -> String {
         let found = Self::joined([Self::paragraphs(&analyze.intro), Self::list(&analyze.findings)]);
         let animation = analyze.animation.as_ref().map(|animation| self.animation(animation));
+        let pair = Self::pair([Self::titled("Findings", found), animation.unwrap_or_default()]);
+        let seen = Self::joined([pair, self.shown(&analyze.plots, &analyze.pictures)]);
         let parts = [
-            Self::pair([Self::titled("Findings", found), animation.unwrap_or_default()]),
-            self.shown(&analyze.plots, &analyze.pictures),
+            Self::group("columns", seen),
             analyze.comparison.as_ref().map(Self::table).unwrap_or_default(),
             self.cases(&analyze.cases),
             Self::checks(&analyze.checks),
