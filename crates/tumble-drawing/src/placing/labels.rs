@@ -33,7 +33,7 @@ const PARTS: usize = 6;
 /// Room kept between a leader and what it does not belong to, in pixels.
 const LEADER_APART: f64 = 2.0;
 /// What two labels beside each other keep apart beyond what lines above each other do, in pixels: a space would be read as one of a text.
-const WORDS_APART: f64 = 6.0;
+const WORDS_APART: f64 = 12.0;
 /// Candidates kept for each label.
 const KEPT: usize = 500;
 /// By how much all have to gain for others to make room: less is rounding.

@@ -271,7 +271,7 @@ mod tests {
     #[test]
     fn degrees_stand_beside_radians() {
         let names = [in_degrees(std::f64::consts::FRAC_PI_6), in_degrees(1.2), in_degrees(0.0)];
-        assert_eq!(names.map(|shown| shown.to_plain()), [" (30°)", " (68.75°)", ""]);
+        assert_eq!(names.map(|shown| shown.to_plain()), ["\u{a0}(30°)", "\u{a0}(68.75°)", ""]);
     }
 
     #[test]

@@ -292,7 +292,8 @@ fn line(names: &Names, symbol: &Symbol, powers: &[f64], time: &Math) -> Typeset 
     }
     let left = [names.notation().symbol(&symbol.name), Math::Operator(Operator::Equals)];
     // One that stays.
-    let stays = is_angle(symbol) && powers.iter().skip(1).all(|value| *value == 0.0);
+    let is_turned = is_angle(symbol) && symbol.dimension == Dimension::NONE;
+    let stays = is_turned && powers.iter().skip(1).all(|value| *value == 0.0);
     let degrees = if stays { in_degrees(powers[0]).to_plain() } else { String::new() };
     let degrees = (!degrees.is_empty()).then_some(Math::Text(degrees));
     math(&Math::Row(left.into_iter().chain(Math::terms(terms)).chain(degrees).collect()))

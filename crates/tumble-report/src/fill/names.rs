@@ -261,12 +261,12 @@ pub(crate) fn quantity_to(value: f64, digits: usize, unit: &str) -> Text {
     }
 }
 
-/// An angle in degrees, as it stands beside what it is in radians: ` (20°)`; nothing beside none.
+/// An angle in degrees, as it stands beside what it is in radians: `(20°)`; nothing beside none.
 pub(super) fn in_degrees(radians: f64) -> Text {
     if radians == 0.0 || !radians.is_finite() {
         return Text::default();
     }
-    Text::from(" (").and(quantity_to(radians.to_degrees(), DEGREES, "deg")).and(")")
+    Text::from("\u{a0}(").and(quantity_to(radians.to_degrees(), DEGREES, "deg")).and(")")
 }
 
 /// What the scene's parameters and the bodies' motion are shown as.
