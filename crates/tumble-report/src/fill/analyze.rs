@@ -107,7 +107,7 @@ fn comparison(
         let column = |what| Column::numbers(sweep::in_unit(head(what), &curve.quantity.unit));
         columns.extend(["least", "greatest", "last"].map(column));
     }
-    let mut table = PrintedTable::new("The runs side by side", columns);
+    let mut table = PrintedTable::new("The runs are shown side by side.", columns);
     let has_events = told.iter().any(|case| case.run.events().next().is_some());
     for case in told {
         let study = study.with(&case.parameters);

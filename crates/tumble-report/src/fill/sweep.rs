@@ -105,7 +105,7 @@ fn among(index: usize, runs: Runs<'_>) -> Option<Text> {
         let value = with_digits(find.value, find.error, &find.unit);
         Text::from(what).and(value).and(" with ").and(case_label(case))
     };
-    Some(of("greatest, ", greatest).and("; ").and(of("least, ", least)))
+    Some(of("largest, ", greatest).and("; ").and(of("smallest, ", least)))
 }
 
 /// Which runs are shown, where they are not all.

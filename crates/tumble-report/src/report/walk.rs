@@ -71,8 +71,11 @@ pub(super) trait Writer: Markup {
         let scene = identify.scene.as_ref().map(|picture| self.picture(picture));
         let sought = Self::titled("Sought", Self::list(&identify.sought));
         let question = [Self::paragraphs(&identify.intro), scene.unwrap_or_default(), sought];
-        let numbers = [("Parameters", &identify.parameters), ("At the start", &identify.initial)]
-            .map(|(caption, quantities)| rows::quantities(caption, quantities));
+        let numbers = [
+            ("The parameters have these values.", &identify.parameters),
+            ("The motion starts from this state.", &identify.initial),
+        ]
+        .map(|(caption, quantities)| rows::quantities(caption, quantities));
         let given =
             [Self::table(&rows::bodies(&identify.bodies)), Self::group("beside", Self::tables(&numbers))];
         Self::pair([Self::joined(question), Self::joined(given)])
