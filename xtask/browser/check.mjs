@@ -25,7 +25,7 @@ const FLAGS = [
   "--disable-sync",
 ];
 const NARROW = 400;
-// Size of the smallest text that is read without effort, in pixels; only indices of indices are smaller.
+// Size of the smallest text that is read without effort, in pixels.
 const LEAST_TEXT = 11;
 // Contrast of text with what is behind it, as WCAG 2 counts it for level AA.
 const LEAST_CONTRAST = 4.5;
@@ -112,11 +112,8 @@ function illegible(least) {
   const named = (node) => `"${node.textContent.trim().slice(0, 40)}"`;
   const isSeen = (node) => node.checkVisibility({ checkVisibilityCSS: true }) && [...node.getClientRects()].some((rect) => rect.width > 0);
   const hasText = (node) => [...node.childNodes].some((child) => child.nodeType === 3 && child.data.trim() !== "");
-  const script = ":is(msub, msup, msubsup) > :not(:first-child)";
-  const scripts = `sub, sup, ${script}, ${script} mfrac > *, ${script}:is(mfrac) > *`;
-  const depth = (node) => (node = node?.closest(scripts)) ? 1 + depth(node.parentElement) : 0;
   for (const node of document.querySelectorAll("body *")) {
-    if (!isSeen(node) || node.closest(".heard, script") || depth(node) > 1) continue;
+    if (!isSeen(node) || node.closest(".heard, script")) continue;
     const isDrawn = node.namespaceURI.endsWith("svg");
     if (isDrawn ? node.localName !== "text" && node.localName !== "tspan" : !hasText(node)) continue;
     const turned = isDrawn ? node.getScreenCTM() : { a: 1, b: 0 };
