@@ -5,8 +5,8 @@
 // A page is at fault if it writes an error to the console, throws, or asks for anything that is not a file of this
 // machine or part of the page. Requests to a network are stopped, so a run never leaves the machine.
 // A page with a motion must play it, one with curves must answer a pointer, and none may be wider than a narrow window
-// or fail to print, or cut a figure or lose rows of a table in print. In a narrow window no text may be too small to read and no equation wider
-// than its box; light and dark, text must stand out from what is behind it.
+// or fail to print, or cut a figure or lose rows of a table in print; a report has few pages there. In a narrow window no
+// text may be too small to read and no equation wider than its box; light and dark, text must stand out from what is behind it.
 // Status: 0 all pages are good, 1 a page is at fault, 2 the checker itself failed.
 
 import { mkdtemp, rm } from "node:fs/promises";
@@ -25,14 +25,16 @@ const FLAGS = [
   "--disable-sync",
 ];
 const NARROW = 400;
-// Size of the smallest text that is read without effort, in pixels; only indices of indices are smaller.
+// Size of the smallest text that is read without effort, in pixels.
 const LEAST_TEXT = 11;
 // Contrast of text with what is behind it, as WCAG 2 counts it for level AA.
 const LEAST_CONTRAST = 4.5;
 // Faults of one kind that are listed for a page.
 const LISTED = 4;
-// What the margins of a report leave of A4, in pixels of 1/96 inch: 182 mm by 270 mm.
-const PAPER = { width: 688, height: 1020 };
+// What the margins of a report leave of A4, in pixels of 1/96 inch: 182 mm by 273 mm.
+const PAPER = { width: 688, height: 1031 };
+// Pages of a printed report.
+const MOST_PAGES = 6;
 const LOCAL = /^(file|data|blob|about):/;
 
 function watch(page, faults) {
@@ -110,11 +112,8 @@ function illegible(least) {
   const named = (node) => `"${node.textContent.trim().slice(0, 40)}"`;
   const isSeen = (node) => node.checkVisibility({ checkVisibilityCSS: true }) && [...node.getClientRects()].some((rect) => rect.width > 0);
   const hasText = (node) => [...node.childNodes].some((child) => child.nodeType === 3 && child.data.trim() !== "");
-  const script = ":is(msub, msup, msubsup) > :not(:first-child)";
-  const scripts = `sub, sup, ${script}, ${script} mfrac > *, ${script}:is(mfrac) > *`;
-  const depth = (node) => (node = node?.closest(scripts)) ? 1 + depth(node.parentElement) : 0;
   for (const node of document.querySelectorAll("body *")) {
-    if (!isSeen(node) || node.closest(".heard, script") || depth(node) > 1) continue;
+    if (!isSeen(node) || node.closest(".heard, script")) continue;
     const isDrawn = node.namespaceURI.endsWith("svg");
     if (isDrawn ? node.localName !== "text" && node.localName !== "tspan" : !hasText(node)) continue;
     const turned = isDrawn ? node.getScreenCTM() : { a: 1, b: 0 };
@@ -184,6 +183,8 @@ async function printed(page) {
   await page.emulateMedia({ media: "print" });
   await page.setViewportSize(PAPER);
   const faults = await page.evaluate(cutFigures, PAPER);
+  const pages = (pdf.toString("latin1").match(/\/Type \/Page\b/g) ?? []).length;
+  if (pages > MOST_PAGES && (await page.locator("#identify").count()) > 0) faults.push(`the report has ${pages} pages in print`);
   faults.push(...(await page.evaluate(lostRows)));
   faults.push(...untagged(pdf.toString("latin1"), await page.evaluate(readAloud)));
   await page.emulateMedia({ media: null });

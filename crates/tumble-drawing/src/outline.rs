@@ -1,6 +1,6 @@
 //! Outlines of bodies, and how a body in some pose is drawn.
 
-use crate::geometry::{length, minus, plus, times, turned, unit};
+use crate::geometry::{arc, length, minus, plus, times, turned, unit};
 use crate::scale::drawable;
 use crate::svg::{Element, PathData, circle, line};
 use crate::theme::{HAIRLINE, Rgb};
@@ -151,6 +151,23 @@ impl Outline {
         let (Outline::Segment { .. }, [from, to]) = (self, &pixels[..]) else { return vec![pixels] };
         let Some(sides) = rod_sides([*from, *to]) else { return vec![pixels] };
         sides.map(Vec::from).into()
+    }
+
+    /// What it covers on the page, as a closed outline; a rod has its thickness.
+    pub(crate) fn face(&self, pose: &Pose, plane: &impl Plane) -> Option<Vec<[f64; 2]>> {
+        let pixel = |p: &[f64; 2]| plane.pixel(pose.world(*p));
+        match self {
+            Outline::Polygon(corners) => Some(corners.iter().map(pixel).collect()),
+            Outline::Circle { centre, radius, .. } => {
+                Some(arc(pixel(centre), radius * plane.density(), 0.0, std::f64::consts::TAU))
+            }
+            Outline::Segment { from, to } => {
+                let ends = [from, to].map(pixel);
+                let [[a, b], [c, d]] = rod_sides(ends).unwrap_or([ends; 2]);
+                Some(vec![a, b, d, c])
+            }
+            Outline::Point(_) | Outline::Cord { .. } => None,
+        }
     }
 
     /// The outline on the page.

@@ -209,16 +209,27 @@ impl<'a> Scene<'a> {
         Element::new("g").children(draw_placed(&placed(&tags, &self.occupancy(), &self.room())))
     }
 
+    /// What bodies cover.
+    fn faces(&self) -> Vec<Vec<[f64; 2]>> {
+        let of_track = |track: &BodyPath| {
+            let of_pose =
+                |pose: &Pose| track.shapes.iter().filter_map(|s| s.face(pose, &self.axes)).collect();
+            track.poses().flat_map(|pose| -> Vec<_> { of_pose(pose) }).collect::<Vec<_>>()
+        };
+        self.picture.tracks.iter().flat_map(of_track).collect()
+    }
+
     fn surface_names(&self) -> impl Iterator<Item = Tag> {
         let view = View::of(&self.axes);
         let area = self.axes.area;
+        let off = self.faces();
         self.surfaces().filter_map(move |surface| {
             let [a, b] = surface.visible(&view, &area)?;
             let size = Tag::extent(&surface.name, SMALL);
             let at = |part: f64| plus(a, times(minus(b, a), part));
             let near = NAME_PARTS.into_iter().flat_map(|part| about_point(at(part), LABEL_DISTANCE, size));
-            (!surface.name.is_empty())
-                .then(|| Tag::new(surface.name.clone(), INK, vec![a, b], near.collect()))
+            let tag = || Tag::new(surface.name.clone(), INK, vec![a, b], near.collect());
+            (!surface.name.is_empty()).then(|| Tag { off: off.clone(), ..tag() })
         })
     }
 

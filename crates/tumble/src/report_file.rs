@@ -80,10 +80,11 @@ fn lab(source: &Source, study: &Study, options: &Options) -> Option<Lab> {
 
 fn meta(source: &Source) -> Vec<(Text, Text)> {
     let program = format!("tumble {}", env!("CARGO_PKG_VERSION"));
-    let hash = source.hash().map(|hash| ("SHA-256 of the scene".into(), hash.into()));
+    let hash =
+        source.hash().map(|hash| ("Checksum of the scene\u{2019}s file (SHA-256)".into(), hash.into()));
     let kind = if hash.is_some() { "Scene" } else { "Study" };
     let name = (kind.into(), source.shown_name().into());
-    [name].into_iter().chain(hash).chain([("Program".into(), program.into())]).collect()
+    [name].into_iter().chain(hash).chain([("Made by".into(), program.into())]).collect()
 }
 
 /// The way from the folder of the results to the lesson beside the scene, if there is one.

@@ -1,7 +1,7 @@
 //! Where the parts of a panel lie on the page.
 
 use crate::axes::Axes;
-use crate::outline::{Outline, Plane, rod_sides};
+use crate::outline::Plane;
 use crate::rect::Rect;
 
 use super::body::FreeBodyDiagram;
@@ -121,20 +121,5 @@ pub(crate) fn angle_arms(body: &FreeBodyDiagram, view: &View) -> Vec<[Point; 2]>
 
 /// Outlines of the body on the page, closed; rods with their thickness.
 pub(crate) fn faces(body: &FreeBodyDiagram, view: &View) -> Vec<Vec<Point>> {
-    let face = |outline: &Outline| match outline {
-        Outline::Polygon(corners) => {
-            Some(corners.iter().map(|p| view.pixel(body.pose.world(*p))).collect::<Vec<_>>())
-        }
-        Outline::Circle { centre, radius, .. } => {
-            let centre = view.pixel(body.pose.world(*centre));
-            Some(crate::geometry::arc(centre, radius * view.density, 0.0, std::f64::consts::TAU))
-        }
-        Outline::Segment { from, to } => {
-            let ends = [*from, *to].map(|p| view.pixel(body.pose.world(p)));
-            let [[a, b], [c, d]] = rod_sides(ends).unwrap_or([ends; 2]);
-            Some(vec![a, b, d, c])
-        }
-        Outline::Point(_) | Outline::Cord { .. } => None,
-    };
-    body.outlines.iter().filter_map(face).collect()
+    body.outlines.iter().filter_map(|outline| outline.face(&body.pose, view)).collect()
 }

@@ -110,7 +110,8 @@ impl Shown<'_> {
                 near.retain(|candidate| self.area.encloses(&candidate.place));
                 near
             };
-            Some(Tag { far: None, ..self.tag(&surface.name, INK, line.to_vec(), near) })
+            let off = faces(self.body, self.view);
+            Some(Tag { far: None, off, ..self.tag(&surface.name, INK, line.to_vec(), near) })
         })
     }
 

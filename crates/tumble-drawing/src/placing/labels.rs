@@ -1,6 +1,6 @@
 //! Choosing places for all labels of a panel together.
 
-use super::occupancy::{CLEARANCE, Occupancy, lines_cross};
+use super::occupancy::{CLEARANCE, Occupancy, covers, lines_cross};
 use crate::rect::Rect;
 use crate::svg::{Element, line};
 use crate::text::{Label, PlacedText};
@@ -15,7 +15,7 @@ const LEADER_FROM: f64 = 22.0;
 const LEADER_GAP: f64 = 3.0;
 /// Thickness of leaders.
 const LEADER: f64 = 0.7;
-/// What a leader costs, and each pixel of distance, and each line it crosses.
+/// What a leader costs, and each pixel of distance, and each line it crosses or touches.
 const LEADER_COST: f64 = 30.0;
 const DISTANCE_COST: f64 = 0.5;
 const CROSSING_COST: f64 = 45.0;
@@ -27,11 +27,13 @@ const COVER_WEIGHT: f64 = 6.0;
 const RIVAL_COST: f64 = 250.0;
 const NEARLY: f64 = 5.0;
 /// What two labels that overlap cost, and a leader that touches a label, which would seem a letter of it.
-const OVERLAP_COST: f64 = 600.0;
-/// Room kept between a label and the leader of another, in pixels.
+const OVERLAP_COST: f64 = 900.0;
+/// Points of what a label belongs to at which a leader may end, but for the nearest.
+const PARTS: usize = 6;
+/// Room kept between a leader and what it does not belong to, in pixels.
 const LEADER_APART: f64 = 2.0;
 /// What two labels beside each other keep apart beyond what lines above each other do, in pixels: a space would be read as one of a text.
-const WORDS_APART: f64 = 6.0;
+const WORDS_APART: f64 = 12.0;
 /// Candidates kept for each label.
 const KEPT: usize = 500;
 /// By how much all have to gain for others to make room: less is rounding.
@@ -54,13 +56,15 @@ pub(crate) struct Tag {
     pub(crate) near: Vec<Candidate>,
     /// What it costs that it stands anywhere, with a leader, if it may.
     pub(crate) far: Option<f64>,
+    /// Closed outlines on which it would seem to name something else.
+    pub(crate) off: Vec<Vec<Point>>,
 }
 
 impl Tag {
     /// A label that stands near what it belongs to.
     pub(crate) fn new(label: Label, colour: Rgb, owner: Vec<Point>, near: Vec<Candidate>) -> Self {
         let whole = owner.clone();
-        Self { label, colour, size: SMALL, owner, whole, near, far: None }
+        Self { label, colour, size: SMALL, owner, whole, near, far: None, off: vec![] }
     }
 
     /// Width and height in pixels.
@@ -211,16 +215,43 @@ type Rival<'t> = (&'t [Point], Option<Rect>);
 fn spot(tag: &Tag, candidate: Candidate, drawn: &Occupancy, rivals: &[Rival<'_>]) -> Spot {
     let Candidate { place, cost } = candidate;
     let (ends, own) = gap(&place, &tag.owner);
-    let leader = (tag.far.is_some() && own > LEADER_FROM).then(|| shortened(ends));
+    let is_led = tag.far.is_some() && own > LEADER_FROM;
+    let led = is_led.then(|| led(tag, &place, ends, drawn));
     let [from, to] = shortened(ends);
-    let crossings = drawn.crossed_by(from, to) as f64;
-    let parted = if leader.is_some() { CROSSING_COST * crossings } else { PARTED_COST * crossings.min(1.0) };
-    let led = if leader.is_some() { LEADER_COST } else { 0.0 };
+    let parted = || PARTED_COST * drawn.crossed_by(from, to).min(1) as f64;
+    let (leader, parted) =
+        led.map_or_else(|| (None, parted()), |(leader, cost)| (Some(leader), LEADER_COST + cost));
+    let on_faces = if tag.off.iter().any(|face| covers(face, &place)) { OVERLAP_COST } else { 0.0 };
     let rivalry: f64 =
         if leader.is_some() { 0.0 } else { rivals.iter().map(|rival| rivalry(&place, rival, own)).sum() };
     let burden = COVER_WEIGHT * drawn.burden(&place.grown(CLEARANCE));
-    let away = DISTANCE_COST * own + led + parted;
-    Spot { place, leader, cost: cost + burden + rivalry + away }
+    let away = DISTANCE_COST * own + parted;
+    Spot { place, leader, cost: cost + burden + rivalry + on_faces + away }
+}
+
+/// The leader of a label, and what it costs beyond being one: to the nearest point of what the label belongs to, or to another
+/// where it is in nothing's way.
+fn led(tag: &Tag, place: &Rect, nearest: [Point; 2], drawn: &Occupancy) -> ([Point; 2], f64) {
+    let cost = |ends: [Point; 2]| {
+        let [from, to] = shortened(ends);
+        let longer =
+            DISTANCE_COST * (length(minus(ends[1], ends[0])) - length(minus(nearest[1], nearest[0])));
+        ([from, to], CROSSING_COST * drawn.touched_by(from, to, LEADER_APART) as f64 + longer)
+    };
+    let first = cost(nearest);
+    if first.1 == 0.0 {
+        return first;
+    }
+    let others = parts(&tag.owner).into_iter().map(|p| gap(place, &[p]).0).map(cost);
+    others.fold(first, |best, other| if other.1 < best.1 { other } else { best })
+}
+
+/// Points along a line.
+fn parts(line: &[Point]) -> Vec<Point> {
+    match *line {
+        [a, b] => (0..=PARTS).map(|i| plus(a, times(minus(b, a), i as f64 / PARTS as f64))).collect(),
+        _ => line.iter().step_by(line.len().div_ceil(PARTS).max(1)).copied().collect(),
+    }
 }
 
 fn rivalry(place: &Rect, (rival, within): &Rival<'_>, own: f64) -> f64 {
@@ -255,6 +286,37 @@ mod tests {
         assert_eq!(chosen[1], Some(spots[1][1]), "by itself it stays out of the way");
         make_room(&spots, &mut chosen, 1);
         assert_eq!(chosen, [Some(spots[0][1]), Some(spots[1][0])]);
+    }
+
+    #[test]
+    fn a_leader_ends_where_it_is_in_nothings_way() {
+        let place = Rect::new(0.0, 0.0, 20.0, 10.0);
+        let owner = vec![[10.0, 60.0], [60.0, 60.0]];
+        let tag = Tag { far: Some(0.0), ..Tag::new(Label::plain("a"), GREY, owner, vec![]) };
+        let ends = gap(&place, &tag.owner).0;
+        let mut drawn = Occupancy::new(Rect::new(-100.0, -100.0, 300.0, 300.0));
+        let (straight, cost) = led(&tag, &place, ends, &drawn);
+        assert!(straight[1][0] == 10.0 && cost == 0.0);
+        // An arrow ends just beside the straight way.
+        let arrow = [[11.5, 80.0], [11.5, 40.0]];
+        drawn.add_line(arrow.to_vec());
+        assert_eq!(drawn.crossed_by(straight[0], straight[1]), 0);
+        let (leader, cost) = led(&tag, &place, ends, &drawn);
+        assert!(leader[1][0] > 15.0 && cost < CROSSING_COST, "{leader:?}");
+        assert_eq!(drawn.touched_by(leader[0], leader[1], LEADER_APART), 0);
+    }
+
+    #[test]
+    fn a_label_stands_on_no_face_that_it_keeps_off() {
+        let page = Rect::new(0.0, 0.0, 200.0, 200.0);
+        let near: Vec<Candidate> = [[80.0, 90.0], [10.0, 150.0]]
+            .map(|[x, y]| Candidate { place: Rect::new(x, y, 20.0, 10.0), cost: y })
+            .into();
+        let tag = Tag::new(Label::plain("floor"), GREY, vec![[0.0, 120.0], [200.0, 120.0]], near);
+        let y = |tag: &Tag| placed(std::slice::from_ref(tag), &Occupancy::new(page), &page)[0].place.y;
+        assert_eq!(y(&tag), 90.0);
+        let body = vec![[50.0, 50.0], [150.0, 50.0], [150.0, 120.0], [50.0, 120.0]];
+        assert_eq!(y(&Tag { off: vec![body], ..tag }), 150.0);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Finding room for labels among things already drawn.
 
+use crate::geometry::{length, minus, nearest};
 use crate::rect::Rect;
 
 /// Room kept between a label and anything else, in pixels.
@@ -58,6 +59,20 @@ impl Occupancy {
         pieces.filter(|w| lines_cross([a, b], [w[0], w[1]])).count()
     }
 
+    /// Line pieces that the straight line from `a` to `b` crosses, or comes nearer to than `apart`.
+    pub(crate) fn touched_by(&self, a: [f64; 2], b: [f64; 2], apart: f64) -> usize {
+        let [x, y] = [0, 1].map(|k| (a[k].min(b[k]) - apart, a[k].max(b[k]) + apart));
+        // Most are nowhere near.
+        let is_past = |p: [f64; 2], q: [f64; 2]| {
+            let is_past = |k: usize, (low, high): (f64, f64)| {
+                (p[k] < low && q[k] < low) || (p[k] > high && q[k] > high)
+            };
+            is_past(0, x) || is_past(1, y)
+        };
+        let pieces = self.lines.iter().flat_map(|line| line.windows(2)).map(|w| [w[0], w[1]]);
+        pieces.filter(|[p, q]| !is_past(*p, *q) && distance([a, b], [*p, *q]) < apart).count()
+    }
+
     /// What it costs to draw over the rectangle: pixels of overlap with
     /// boxes, and as many as seem fair for lines, edges, faces and leaving the area.
     pub(crate) fn burden(&self, place: &Rect) -> f64 {
@@ -78,7 +93,7 @@ impl Occupancy {
 }
 
 /// Whether the middle or a corner of the rectangle lies in the closed outline.
-fn covers(face: &[[f64; 2]], place: &Rect) -> bool {
+pub(crate) fn covers(face: &[[f64; 2]], place: &Rect) -> bool {
     let [right, bottom] = [place.right(), place.bottom()];
     let corners = [[place.x, place.y], [right, place.y], [place.x, bottom], [right, bottom], place.centre()];
     corners.iter().any(|p| is_inside(face, *p))
@@ -98,6 +113,16 @@ pub(crate) fn lines_cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool 
     let side =
         |p: [f64; 2], q: [f64; 2], r: [f64; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+/// Distance of two pieces of straight lines.
+fn distance([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> f64 {
+    if lines_cross([a, b], [c, d]) {
+        return 0.0;
+    }
+    let from = |p: [f64; 2], line: [[f64; 2]; 2]| length(minus(p, nearest(p, line)));
+    let ends = [from(a, [c, d]), from(b, [c, d]), from(c, [a, b]), from(d, [a, b])];
+    ends.into_iter().fold(f64::INFINITY, f64::min)
 }
 
 /// A rectangle whose nearest point lies `reach` from the anchor in `direction`.

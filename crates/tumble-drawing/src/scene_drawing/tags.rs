@@ -96,10 +96,15 @@ fn about_body(at: Point, frame: &Rect, [width, height]: [f64; 2]) -> Vec<Candida
 }
 
 fn surfaces(layout: &Layout) -> Vec<Tag> {
+    let faces = |body: &super::SceneBody| {
+        let faces = body.outlines.iter().filter_map(|outline| outline.face(&body.pose, &layout.view));
+        faces.collect::<Vec<_>>()
+    };
+    let off: Vec<_> = layout.scene.bodies.iter().flat_map(faces).collect();
     let surface = |surface: &crate::free_body::Ground| {
         let line = surface.visible(&layout.view, &layout.axes.area)?;
         let near = |size| about_line(surface.below(line), size);
-        Some(tag(layout, &surface.name, INK, line.to_vec(), near))
+        Some(Tag { off: off.clone(), ..tag(layout, &surface.name, INK, line.to_vec(), near) })
     };
     layout.scene.surfaces.iter().filter_map(surface).collect()
 }

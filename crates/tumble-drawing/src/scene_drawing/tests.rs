@@ -112,3 +112,25 @@ fn names_keep_clear_of_the_thickness_of_rods() {
     let bar = crate::rect::Rect::new(left, top[1], right - left, bottom[1] - top[1]);
     assert!(half > 3.0 && name.place.overlap(&bar) == 0.0, "{:?} over {bar:?}", name.place);
 }
+
+#[test]
+fn the_name_of_a_surface_stands_on_no_body() {
+    let (sin, cos) = 20.0_f64.to_radians().sin_cos();
+    let block = Outline::Polygon(vec![[-0.25, -0.12], [0.25, -0.12], [0.25, 0.12], [-0.25, 0.12]]);
+    let body = SceneBody {
+        pose: Pose { x: -0.12 * sin, y: 0.12 * cos, angle: 20.0_f64.to_radians(), ..Pose::default() },
+        outlines: vec![block],
+        velocity: Some(([1.0, 0.4], Label::symbol("v"))),
+        ..SceneBody::default()
+    };
+    let incline = Ground::new([0.0, 0.0], [-sin, cos], Label::plain("incline"));
+    let gravity = Some(([0.0, -9.81], Label::symbol("g")));
+    let scene =
+        SceneDrawing { bodies: vec![body], surfaces: vec![incline], gravity, ..SceneDrawing::default() };
+    let layout = Layout::new(scene);
+    let body = &layout.scene.bodies[0];
+    let face = body.outlines[0].face(&body.pose, &layout.view).expect("a block has one");
+    let labels = layout.labels();
+    let name = labels.iter().find(|one| one.label.to_plain() == "incline").expect("its name");
+    assert!(!crate::placing::covers(&face, &name.place), "{:?}", name.place);
+}

@@ -11,11 +11,12 @@ use crate::report::{END_OF_DIGITS, Text};
 use crate::results::CaseError;
 
 /// Energies over time.
-pub(crate) const ENERGIES: &str = "Kinetic, potential and total energy over time.";
+pub(crate) const ENERGIES: &str = "The curves show kinetic, potential and total energy over time.";
 /// What is left of the energy.
-pub(crate) const RESIDUAL: &str = "Energy that the works of the loads do not account for, over time.";
+pub(crate) const RESIDUAL: &str =
+    "The curve shows the energy that the works of the loads do not account for, over time.";
 /// An answer over two parameters.
-pub(crate) const MAP: &str = "A cell for each run; the ring is about the best.";
+pub(crate) const MAP: &str = "Each run has a cell; the ring is about the best.";
 
 /// More kinds of events than these are not told one by one.
 const MOST_EVENTS: usize = 3;
@@ -24,8 +25,8 @@ const MOST_SIGNS: usize = 90;
 /// Digits of times.
 const DIGITS: usize = 4;
 /// What the bands of a figure are.
-const BANDS: &str = "Pale: from the least to the greatest value over all runs that still go on; darker: the half of them in the \
-                     middle; the first line is their median. The others are single runs.";
+const BANDS: &str = "The pale band goes from the least to the greatest value over all runs that still go on, the darker one over \
+                     the half of them in the middle. The first line is their median; the others are single runs.";
 
 /// The scene at its start, with what its arrows are.
 pub(crate) fn scene(drawing: &SceneDrawing) -> Text {
@@ -34,14 +35,14 @@ pub(crate) fn scene(drawing: &SceneDrawing) -> Text {
     let forces = drawing.forces.iter().map(|force| force.symbol.clone());
     let force = forces.reduce(|all, next| all.then(Label::plain(", ")).then(next));
     let arrows = [
-        (velocity, "velocity of the centre of mass"),
-        (rate, "angular velocity"),
-        (force.as_ref(), "applied force"),
-        (drawing.gravity.as_ref().map(|(_, label)| label), "acceleration of gravity"),
-        (drawing.wind.as_ref().map(|(_, label)| label), "wind"),
+        (velocity, "the velocity of the centre of mass"),
+        (rate, "the angular velocity"),
+        (force.as_ref(), "an applied force"),
+        (drawing.gravity.as_ref().map(|(_, label)| label), "the acceleration of gravity"),
+        (drawing.wind.as_ref().map(|(_, label)| label), "the wind"),
     ];
     let shown = arrows.into_iter().filter_map(|(label, words)| Some((label?.clone(), words)));
-    Text::from("The scene at the start. ").and(meaning(shown))
+    Text::from("The scene is drawn as it starts.").and(meaning(shown))
 }
 
 /// What a sheet shows, in words: whose forces, and what the letters mean that are not forces and that no sheet `said` before.
@@ -55,33 +56,42 @@ pub(crate) fn free_bodies(study: &Study, sheet: &FreeBodySheet, body: &str, said
         (
             any(&|panel| !panel.arms.is_empty()),
             "r",
-            "thin arrow, the arm from the centre of mass to where a force acts",
+            "the arm (a thin arrow) from the centre of mass to where a force acts",
         ),
         (
             any(&|panel| !panel.couples.is_empty() && !is_of_impulses(panel)),
             "tau",
-            "torque about the centre of mass, counter-clockwise positive",
+            "the torque about the centre of mass (counter-clockwise positive)",
         ),
-        (any(&is_of_impulses), "J", "impulse of an impact"),
-        (has(&velocity), &*velocity, "velocity of the centre of mass"),
-        (any(&|panel| panel.rate.is_some()), "omega", "angular velocity"),
-        (has("u"), "u", "velocity of the air past the point where it acts"),
+        (any(&is_of_impulses), "J", "the impulse of an impact"),
+        (has(&velocity), &*velocity, "the velocity of the centre of mass"),
+        (any(&|panel| panel.rate.is_some()), "omega", "the angular velocity"),
+        (has("u"), "u", "the velocity of the air past the point where it acts"),
     ];
     let new: Vec<_> = letters
         .into_iter()
         .filter(|(shown, letter, _)| *shown && !said.iter().any(|one| one == letter))
         .collect();
     said.extend(new.iter().map(|(_, letter, _)| (*letter).to_owned()));
-    let row = "Thin arrows in a row: the force along the body; the thick one: their sum. ";
+    let row = " Thin arrows in a row show the force along the body, the thick one their sum.";
     let row = if has_row { row } else { "" };
     let letters = new.into_iter().map(|(_, letter, words)| (Label::symbol(letter), words));
-    Text::from(format!("Everything that acts on {}. {row}", symbols::the(body))).and(meaning(letters))
+    Text::from(format!("The arrows show everything that acts on {}.{row}", symbols::the(body)))
+        .and(meaning(letters))
 }
 
-/// Symbols with what they mean.
+/// What symbols mean, as a sentence.
 fn meaning<'w>(symbols: impl Iterator<Item = (Label, &'w str)>) -> Label {
-    let one = |(symbol, words): (Label, &str)| symbol.then(Label::plain(&format!(": {words}")));
-    let all = symbols.map(one).reduce(|all, next| all.then(Label::plain("; ")).then(next));
+    let symbols: Vec<_> = symbols.collect();
+    let one = |(i, (symbol, words)): (usize, &(Label, &str))| {
+        let (before, verb) = match i {
+            0 => (" Here ", " is"),
+            _ if i + 1 == symbols.len() => (" and ", ""),
+            _ => (", ", ""),
+        };
+        Label::plain(before).then(symbol.clone()).then(Label::plain(&format!("{verb} {words}")))
+    };
+    let all = symbols.iter().enumerate().map(one).reduce(Label::then);
     all.map_or_else(Label::default, |all| all.then(Label::plain(".")))
 }
 
@@ -94,7 +104,8 @@ pub(crate) fn curves(figure: &CurveFigure) -> Text {
     if x.is_empty() || y.is_empty() {
         return Text::default();
     }
-    Text::from(y.clone()).and(" over ").and(x.clone()).and(dashed(&figure.marks)).and(".").capitalised()
+    let show = if figure.series.len() > 1 { "The curves show " } else { "The curve shows " };
+    Text::from(show).and(y.clone()).and(" over ").and(x.clone()).and(".").and(dashed(&figure.marks))
 }
 
 /// What happens where there are dashed lines.
@@ -106,13 +117,22 @@ fn dashed(marks: &[Mark]) -> Label {
             events.push(label);
         }
     }
-    match events.len() {
-        0 => Label::default(),
-        1..=MOST_EVENTS if events.iter().map(|label| label.to_plain().len()).sum::<usize>() <= MOST_SIGNS => {
-            let all = events.into_iter().cloned().reduce(|all, next| all.then(Label::plain("; ")).then(next));
-            Label::plain("; dashed: ").then(all.unwrap_or_default())
+    let is_short = events.iter().map(|label| label.to_plain().len()).sum::<usize>() <= MOST_SIGNS;
+    let quoted = |label: &Label| Label::plain("\u{201c}").then(label.clone()).then(Label::plain("\u{201d}"));
+    match &events[..] {
+        [] => Label::default(),
+        [only] if is_short => {
+            Label::plain(" The dashed line marks ").then(quoted(only)).then(Label::plain("."))
         }
-        _ => Label::plain("; dashed lines are events"),
+        [before @ .., last] if is_short && events.len() <= MOST_EVENTS => {
+            let before = before
+                .iter()
+                .map(|label| quoted(label))
+                .reduce(|all, next| all.then(Label::plain(", ")).then(next));
+            let all = before.unwrap_or_default().then(Label::plain(" and ")).then(quoted(last));
+            Label::plain(" The dashed lines mark ").then(all).then(Label::plain("."))
+        }
+        _ => Label::plain(" The dashed lines mark events."),
     }
 }
 
@@ -120,7 +140,13 @@ fn dashed(marks: &[Mark]) -> Label {
 pub(crate) fn answers(figure: &CurveFigure, has_more_runs: bool) -> Text {
     let [x, y] = [&figure.x.label, &figure.y.label].map(|label| Text::from(label.clone()));
     let more = if has_more_runs { ", with the best of the runs that were made between them" } else { "" };
-    y.and(" of each run over ").and(x).and(more).and(dashed(&figure.marks)).and(".").capitalised()
+    Text::from("The curve shows ")
+        .and(y)
+        .and(" of each run over ")
+        .and(x)
+        .and(more)
+        .and(".")
+        .and(dashed(&figure.marks))
 }
 
 /// What a stroboscopic picture shows.
@@ -128,8 +154,12 @@ pub(crate) fn stroboscope(study: &Study, asked: &Stroboscope) -> Result<Text, Ca
     let names: Vec<String> =
         asked.bodies.iter().map(|body| symbols::the(&study.model.bodies[*body].name)).collect();
     let every = quantity(study.number(&asked.every)?, "s");
-    let dotted = if asked.trace { "; thin lines: the path of the centre of mass" } else { "" };
-    Ok(Text::from(listed(&names)).capitalised().and(" every ").and(every).and(dotted).and("."))
+    let (are, path) = match names.len() {
+        1 => (" is", ", with the path of its centre of mass as a thin line"),
+        _ => (" are", ", with the paths of their centres of mass as thin lines"),
+    };
+    let path = if asked.trace { path } else { "" };
+    Ok(Text::from(listed(&names)).capitalised().and(are).and(" drawn every ").and(every).and(path).and("."))
 }
 
 /// From when to when a motion goes; on paper it is that of its first case.
@@ -138,6 +168,6 @@ pub(crate) fn motion(animation: &Animation) -> Text {
     let ends = Range::of(ends.copied()).unwrap_or_default();
     let [from, to] = [ends.low, ends.high].map(|time| Label::number(time, DIGITS).to_plain());
     let first = animation.cases.first().filter(|_| animation.cases.len() > 1).map(|case| case.name.clone());
-    let words = Text::from(format!("The motion from {from} to {to}\u{a0}s"));
-    first.map_or(words.clone(), |name| words.and(", ").and(name)).and(".")
+    let words = Text::from(format!("The motion is shown from {from} to {to}\u{a0}s"));
+    first.map_or(words.clone(), |name| words.and(" (").and(name).and(")")).and(".")
 }

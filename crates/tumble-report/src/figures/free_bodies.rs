@@ -98,7 +98,8 @@ impl Drawing<'_> {
         if impulse.impulse != [0.0; 2] {
             let point = [panel.pose.x + impulse.arm[0], panel.pose.y + impulse.arm[1]];
             panel = panel.force(Arrow::new(kind, symbol.clone(), point, impulse.impulse));
-            panel = panel.arm(Label::symbol(&symbols::arm(&name)), point);
+            let load = self.run.equations.source_name(impulse.source);
+            panel = panel.arm(Label::symbol(&symbols::arm(&self.of_body(&name, load))), point);
         }
         if impulse.couple != 0.0 {
             panel = panel.couple(Couple::new(kind, symbol, impulse.couple));
@@ -177,7 +178,11 @@ impl Drawing<'_> {
             panel = self.with_force(panel, force, time)?;
             if force.torque().abs() > NO_TORQUE * largest {
                 let name = symbols::force(self.study, &force.load, force.law);
-                let name = if force.law.is_couple() { name } else { symbols::torque(&name) };
+                let name = if force.law.is_couple() {
+                    name
+                } else {
+                    symbols::torque(&self.of_body(&name, &force.load))
+                };
                 panel = panel.couple(Couple::new(kind(force.law), Label::symbol(&name), force.torque()));
             }
         }
@@ -218,7 +223,13 @@ impl Drawing<'_> {
             }
         }
         let is_there = size(force.force) > 0.0 && size(force.arm) > 0.0;
-        Ok(if is_there { panel.arm(Label::symbol(&symbols::arm(&name)), point) } else { panel })
+        let arm = symbols::arm(&self.of_body(&name, &force.load));
+        Ok(if is_there { panel.arm(Label::symbol(&arm), point) } else { panel })
+    }
+
+    /// The symbol of a force as it is for this body.
+    fn of_body(&self, symbol: &str, load: &str) -> String {
+        symbols::of_body(self.study, symbol, load, &self.study.model.bodies[self.body].name)
     }
 
     /// The symbol of a force or impulse; its opposite on the second body of a joint or a contact.

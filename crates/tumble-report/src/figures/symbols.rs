@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use tumble_drawing::Label;
 use tumble_expr::{Node, Symbol, Unary, is_identically_zero};
-use tumble_mech::{Application, Frame, Gravity, Law};
+use tumble_mech::{Application, Frame, Gravity, Joint, Law};
 use tumble_scene::Study;
 
 mod spoken;
@@ -157,6 +157,21 @@ pub(crate) fn contact(study: &Study, pair: &str) -> String {
     }
 }
 
+/// The symbol of a force of a joint or contact as it is for one of its two bodies, whose arm and torque are not the other's: with
+/// `disk2` first, of `N_disk1_disk2`; `R_elbow,arm`.
+pub(crate) fn of_body(study: &Study, symbol: &str, load: &str, body: &str) -> String {
+    let is_between = |joint: &Joint| joint.name == load && joint.bodies().count() > 1;
+    if study.model.joints.iter().any(is_between) {
+        return below(symbol, body);
+    }
+    let bodies = contact(study, rubbed(load));
+    let is_between = study.model.contacts.iter().any(|known| load.starts_with(&format!("{}.", known.name)));
+    match bodies.strip_suffix(&format!("_{body}")).filter(|_| is_between) {
+        Some(first) => symbol.replacen(&bodies, &format!("{body}_{first}"), 1),
+        None => symbol.to_owned(),
+    }
+}
+
 /// The letter of a body's velocity: `v` of `v_x`, or that of the user's own symbol; V where a parameter is shown so.
 pub(crate) fn velocity(study: &Study, body: &str) -> String {
     velocity_among(&all(study), study, body)
@@ -288,6 +303,18 @@ mod tests {
         assert_eq!(label(&symbols, "cos(rod.angle)").to_plain(), "cos(θ)");
         assert_eq!(label(&symbols, "w1"), Label::symbol("w1"));
         assert_eq!(label(&symbols, "rod.slip").to_plain(), "rod.slip");
+    }
+
+    #[test]
+    fn what_two_bodies_share_has_arms_of_each() {
+        let (study, _) = crate::scenes::motions_called("24-glancing-disks");
+        let load = study.model.pairs()[0].name.clone();
+        let arm_on = |body: &str| arm(&of_body(&study, "J_disk1_disk2", &load, body));
+        assert_eq!([arm_on("disk1"), arm_on("disk2")], ["r_disk1_disk2", "r_disk2_disk1"]);
+        let (study, _) = crate::scenes::motions_called("11-double-pendulum");
+        let torque_on = |body: &str| torque(&of_body(&study, "R_elbow", "elbow", body));
+        assert_eq!([torque_on("arm"), torque_on("forearm")], ["tau_elbow,arm", "tau_elbow,forearm"]);
+        assert_eq!(of_body(&study, "R_hinge", "hinge", "arm"), "R_hinge");
     }
 
     #[test]

@@ -8,7 +8,7 @@ use tumble_mech::Extreme;
 use tumble_ode::Side;
 use tumble_scene::{Instant, Study};
 
-use super::names::{Names, quantity, quantity_to};
+use super::names::{Names, in_degrees, quantity, quantity_to};
 use super::words::spoken;
 use super::{animation, balance, findings, sweep};
 use crate::figures::{self, captions, symbols};
@@ -21,6 +21,8 @@ const ERROR_DIGITS: usize = 1;
 const FINER: f64 = 3.0;
 /// Doubles have no more digits.
 const MOST_DIGITS: f64 = 17.0;
+/// Digits of what is expected, at most: the last ones of a double are rounding.
+const MOST_EXPECTED: f64 = 15.0;
 /// What is less than this part of the largest value of a curve is zero but for rounding.
 const NOTHING: f64 = 1e-15;
 
@@ -105,7 +107,7 @@ fn comparison(
         let column = |what| Column::numbers(sweep::in_unit(head(what), &curve.quantity.unit));
         columns.extend(["least", "greatest", "last"].map(column));
     }
-    let mut table = PrintedTable::new("The runs side by side", columns);
+    let mut table = PrintedTable::new("The runs are shown side by side.", columns);
     let has_events = told.iter().any(|case| case.run.events().next().is_some());
     for case in told {
         let study = study.with(&case.parameters);
@@ -182,9 +184,10 @@ fn shown(study: &Study, names: &Names, check: &CheckResult) -> CheckRow {
         true => Text::from(" at ").and(quantity(check.at, "s")),
         false => Text::default(),
     };
+    let degrees = if unit == "rad" { in_degrees(check.expected) } else { Text::default() };
     CheckRow {
         what: what.and(at),
-        expected: precise(without_rounding(check), unit),
+        expected: precise(without_rounding(check), unit).and(degrees),
         found: match check.open() {
             _ if !check.is_reached() => check.status().into(),
             Some(open) => open.into(),
@@ -222,7 +225,7 @@ fn error(check: &CheckResult) -> Text {
 fn without_rounding(check: &CheckResult) -> f64 {
     let place = |value: f64| value.abs().log10().floor();
     let digits = place(check.expected) - place(check.within) + FINER;
-    let places = if digits.is_finite() { digits.clamp(FINER, MOST_DIGITS) - 1.0 } else { MOST_DIGITS };
+    let places = if digits.is_finite() { digits.clamp(FINER, MOST_EXPECTED) - 1.0 } else { MOST_DIGITS };
     format!("{:.*e}", places as usize, check.expected).parse().unwrap_or(check.expected)
 }
 
@@ -260,8 +263,15 @@ mod tests {
         assert_eq!(shown(1.136_799_999_999_999_1, 1e-12), 1.1368);
         assert_eq!(shown(318.825_000_000_000_8, 1e-7), 318.825);
         assert_eq!(shown(10.217_161_074_258_682, 3.0), 10.22);
+        assert_eq!(shown(7.699_999_999_999_999, 1e-14), 7.7);
         assert_eq!(shown(-1e-3, 0.5), -1e-3);
         assert_eq!((shown(0.0, 1e-9), shown(0.1 + 0.2, 0.0)), (0.0, 0.1 + 0.2));
+    }
+
+    #[test]
+    fn degrees_stand_beside_radians() {
+        let names = [in_degrees(std::f64::consts::FRAC_PI_6), in_degrees(1.2), in_degrees(0.0)];
+        assert_eq!(names.map(|shown| shown.to_plain()), ["\u{a0}(30°)", "\u{a0}(68.75°)", ""]);
     }
 
     #[test]

@@ -65,7 +65,7 @@ fn balances(balance: &CaseBalance) -> PrintedTable {
         std::iter::once(name).chain(values).chain([quantity_to(of.residual, SIZE, "")]).collect()
     };
     let [x, y] = &balance.total.momentum;
-    PrintedTable::new("", columns)
+    PrintedTable::new("The loads account for what changed.", columns)
         .row(row("Energy", "J", &balance.energy))
         .row(row("Momentum, x", "N*s", x))
         .row(row("Momentum, y", "N*s", y))
@@ -97,7 +97,7 @@ fn contributions(study: &Study, equations: &Equations, balance: &CaseBalance) ->
         Column::numbers(with("Impulse, y", "N*s")),
         Column::numbers(with("Angular impulse", "N*m*s")),
     ];
-    let mut table = PrintedTable::new("Contribution of each load", columns);
+    let mut table = PrintedTable::new("Each load contributes this much.", columns);
     for (index, (_, contribution)) in balance.contributions.iter().enumerate() {
         // Where its error is known, what is less is none.
         let error = balance.work_errors.as_ref().map_or(0.0, |errors| errors[index]);

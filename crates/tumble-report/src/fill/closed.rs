@@ -8,7 +8,7 @@ use tumble_notation::{ClosedForm, Left, Math, Operator, integrate_twice, polynom
 use tumble_ode::{Cause, Occurrence};
 use tumble_scene::Study;
 
-use super::names::{Names, math, quantity};
+use super::names::{Names, in_degrees, math, quantity};
 use super::{words, zeros};
 use crate::results::{Case, CaseError, is_angle, unit};
 
@@ -291,7 +291,12 @@ fn line(names: &Names, symbol: &Symbol, powers: &[f64], time: &Math) -> Typeset 
         terms.push((false, Math::Number("0".to_owned())));
     }
     let left = [names.notation().symbol(&symbol.name), Math::Operator(Operator::Equals)];
-    math(&Math::Row(left.into_iter().chain(Math::terms(terms)).collect()))
+    // One that stays.
+    let is_turned = is_angle(symbol) && symbol.dimension == Dimension::NONE;
+    let stays = is_turned && powers.iter().skip(1).all(|value| *value == 0.0);
+    let degrees = if stays { in_degrees(powers[0]).to_plain() } else { String::new() };
+    let degrees = (!degrees.is_empty()).then_some(Math::Text(degrees));
+    math(&Math::Row(left.into_iter().chain(Math::terms(terms)).chain(degrees).collect()))
 }
 
 /// `m/s²` as it is printed; nothing for a pure number.

@@ -1,8 +1,8 @@
 //! The equations of motion as they were integrated, in the symbols of the scene.
 
-use crate::report::{Block, Definition, ModeEquations, Text};
+use crate::report::{Block, Definition, ModeEquations, Text, Typeset};
 use tumble_expr::{Expr, Symbol, is_identically_zero};
-use tumble_mech::{Anchor, Joint};
+use tumble_mech::{Anchor, ContactMode, Joint, Pair};
 use tumble_notation::Math;
 use tumble_scene::Study;
 
@@ -11,6 +11,7 @@ use super::motion::{Line, Motion, Setting, inertia_name, second};
 use super::names::{Names, math};
 use super::once::{BESIDE_LAWS, BY_NAME, OTHERS_BY_NAME, defined_once, told_once};
 use super::passed::Passed;
+use super::reduced::simple;
 use super::{passed, words};
 use crate::figures::symbols;
 use crate::results::Case;
@@ -25,10 +26,10 @@ pub(super) fn modes(study: &Study, names: &Names, cases: &[Case], kinds: &[Kind]
     let modes = passed::lasting(cases);
     let told: Vec<usize> = kinds.iter().flat_map(Kind::told).copied().collect();
     let shown = modes.iter().take(MOST_MODES).map(|Passed { case, mode }| {
-        let mut motions = Setting { study, names, case, mode }.motions();
+        let setting = Setting { study, names, case, mode };
+        let mut motions = setting.motions();
         motions.retain(|motion| told.contains(&motion.body));
-        let blocks: Vec<Block> =
-            motions.iter().filter_map(|motion| equations_of(study, names, motion)).collect();
+        let blocks: Vec<Block> = motions.iter().filter_map(|motion| equations_of(&setting, motion)).collect();
         let is_short = |body: &usize| motions.iter().any(|motion| motion.body == *body && motion.is_short());
         let holds = match (told.iter().all(is_short), blocks.is_empty()) {
             (true, _) => "",
@@ -50,7 +51,8 @@ pub(super) fn modes(study: &Study, names: &Names, cases: &[Case], kinds: &[Kind]
     told.map(|mode| ModeEquations { name: mode.name.capitalised(), ..mode }).collect()
 }
 
-fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> {
+fn equations_of(setting: &Setting<'_>, motion: &Motion) -> Option<Block> {
+    let Setting { study, names, .. } = *setting;
     let shown = motion.shown().filter(|_| motion.is_short())?.clone();
     let body = symbols::bare(&study.model.bodies[motion.body].name);
     let is_beside = !motion.by_law.is_empty();
@@ -68,23 +70,72 @@ fn equations_of(study: &Study, names: &Names, motion: &Motion) -> Option<Block> 
     if let Some(index) = place {
         block.definitions[index].meaning = "about the pivot".into();
     }
-    block.definitions.extend(condition(study, motion));
+    let conditions = conditions(setting, motion, &block);
+    block.definitions.extend(conditions);
     block.definitions.extend(seats(study, names, motion));
     block.definitions.extend(second_rate(study, names, motion));
     Some(block)
 }
 
-/// What equations say that are no law of motion.
-fn condition(study: &Study, motion: &Motion) -> Option<Definition> {
-    let zero = Math::equation(Math::Text("\u{2026}".to_owned()), Math::Number("0".to_owned()));
-    let bodies = study.model.bodies.iter().map(|body| body.kinematics());
+/// What equations say that are no law of motion, each with its reason; what has none of its own has that of all of them.
+fn conditions(setting: &Setting<'_>, motion: &Motion, block: &Block) -> Vec<Definition> {
+    let bodies = setting.study.model.bodies.iter().map(|body| body.kinematics());
     let rates =
         bodies.flat_map(|own| [own.acceleration_symbols().to_vec(), vec![own.alpha_symbol()]].concat());
     let rates: Vec<Symbol> = rates.collect();
     let is_condition = |line: &Line| {
         is_identically_zero(&line.is) && line.right.symbols().iter().any(|symbol| rates.contains(symbol))
     };
-    motion.lines.iter().any(is_condition).then(|| Definition { symbol: math(&zero), meaning: STAYS.into() })
+    let of_line = |(line, shown): (&Line, &Typeset)| {
+        let is_followed = motion.follows && line.left.factor.is_none();
+        let is_condition = is_condition(line);
+        let condition = &line.is - &line.right;
+        let why = (is_followed || is_condition).then(|| reason(setting, motion.body, &condition))?;
+        let symbol = if is_followed { math(&line.left.symbol) } else { shown.clone() };
+        let general = is_condition.then(|| Definition { symbol: math(&zero()), meaning: STAYS.into() });
+        why.map(|why| Definition { symbol, meaning: why.into() }).or(general)
+    };
+    let mut found: Vec<Definition> = vec![];
+    for one in motion.lines.iter().zip(&block.lines).filter_map(of_line) {
+        if !found.contains(&one) {
+            found.push(one);
+        }
+    }
+    found
+}
+
+/// What stands for any condition.
+fn zero() -> Math {
+    Math::equation(Math::Text("\u{2026}".to_owned()), Math::Number("0".to_owned()))
+}
+
+/// Why a condition on the acceleration of one body holds: of contacts with a surface along whose normal or across which it is.
+fn reason(setting: &Setting<'_>, body: usize, condition: &Expr) -> Option<String> {
+    let Setting { study, case, mode, .. } = *setting;
+    let kinematics = study.model.bodies[body].kinematics();
+    let [x, y] = kinematics.acceleration_symbols().map(|symbol| condition.derivative(&symbol));
+    let is_zero = |formula: &Expr| is_identically_zero(&simple(formula));
+    let touching = mode.contacts.iter().filter(|(_, contact)| *contact == ContactMode::Resting);
+    let touching = touching.map(|(pair, _)| &case.run.equations.pairs()[*pair]);
+    let touching: Vec<_> = touching.filter(|pair| pair.body == body && pair.other.is_none()).collect();
+    if is_zero(&x) && is_zero(&y) {
+        let lies = touching.len() > 1 && condition.symbols().len() == 1;
+        return lies.then(|| format!("{} does not turn", symbols::the(&study.model.bodies[body].name)));
+    }
+    let because = |along: fn(&Expr, &Expr, &Pair) -> Expr, [one, several]: [&str; 2]| {
+        let own: Vec<_> = touching.iter().filter(|pair| is_zero(&along(&x, &y, pair))).collect();
+        let first = own.first()?;
+        let own = own.iter().filter(|pair| pair.rule == first.rule);
+        let points: Vec<String> = own.map(|pair| words::point(study, pair)).collect();
+        let (what, to) = (words::together(&points), words::against(study, first));
+        Some(format!("{what} {} {to}", if points.len() > 1 { several } else { one }))
+    };
+    because(|x, y, pair| x * pair.normal.y() - y * pair.normal.x(), ["stays on", "stay on"]).or_else(|| {
+        because(
+            |x, y, pair| x * pair.normal.x() + y * pair.normal.y(),
+            ["does not slip on", "do not slip on"],
+        )
+    })
 }
 
 /// What `alpha` is where the equation of motion above says `theta''`.

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use crate::figures::case_label;
 use crate::report::{Column, PrintedTable, Text};
 use crate::results::Case;
 use crate::tables::EVENTS;
@@ -11,13 +12,17 @@ use tumble_ode::Occurrence;
 use tumble_scene::Study;
 
 use super::names::quantity;
-use super::solve::labelled;
 use super::words;
 
 /// So many impacts of a Zeno sequence are told one by one: they show by how much each is sooner than the last.
 const SHOWN: usize = 12;
 /// Fewer rows than these are not worth a row that stands for them.
 const LEAST_LEFT_OUT: usize = 6;
+
+fn caption(case: &Case) -> Text {
+    let words = Text::from("These events happened");
+    if case.label.is_empty() { words.and(".") } else { words.and(" (").and(case_label(case)).and(").") }
+}
 
 /// A row an event.
 pub(super) fn of(study: &Study, case: &Case) -> PrintedTable {
@@ -27,7 +32,7 @@ pub(super) fn of(study: &Study, case: &Case) -> PrintedTable {
     let columns = vec![Column::numbers(heading), Column::words("What happens")];
     let mut table = PrintedTable {
         file: Some(format!("{}/{EVENTS}", case.folder())),
-        ..PrintedTable::new(labelled("Events", case), columns)
+        ..PrintedTable::new(caption(case), columns)
     };
     let unverified = events.iter().position(|event| !case.is_verified(event.time)).filter(|first| *first > 0);
     let rows = |from: usize, to: usize| {

@@ -124,6 +124,12 @@ impl<'a> Load<'a> {
         is_on_other(self.equations, self.term)
     }
 
+    /// Its symbol as it is for the body that it acts on.
+    fn of_body(&self) -> String {
+        let Self { study, term, symbol, .. } = self;
+        symbols::of_body(study, symbol, &term.load, &study.model.bodies[term.body].name)
+    }
+
     /// Its symbol, or the opposite.
     fn signed(&self, is_opposite: bool) -> Math {
         let symbol = Math::symbol(&self.symbol);
@@ -259,7 +265,8 @@ impl<'a> Load<'a> {
 
     /// The torque about the centre of mass: as the law says it, by its formula if that is short, or as arm and force.
     fn torque(&self) -> Vec<Typeset> {
-        let Self { term, names, symbol, .. } = self;
+        let Self { term, names, .. } = self;
+        let symbol = &self.of_body();
         let own = || Math::symbol(&symbols::torque(symbol));
         if let Some(Statement { force: Some(_), torque: Some(torque), .. }) = &self.stated {
             return names.stated(own(), torque, &term.load).into_iter().take(1).collect();
@@ -291,7 +298,7 @@ impl<'a> Load<'a> {
             Some(direction) => Written::Product(vec![force, direction]),
             None => force,
         };
-        let moment = Written::named(&symbols::arm(&self.symbol), arm).cross(force);
+        let moment = Written::named(&symbols::arm(&self.of_body()), arm).cross(force);
         let couple = &self.term.couple;
         if is_identically_zero(couple) {
             return moment;

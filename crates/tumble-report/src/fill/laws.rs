@@ -63,7 +63,8 @@ fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[T
     let torque = terms.iter().filter(turns);
     let torque = torque.map(|term| {
         let force = symbols::force(study, &term.load, term.law);
-        let name = if term.law.is_couple() { force } else { symbols::torque(&force) };
+        let of_body = symbols::of_body(study, &force, &term.load, &study.model.bodies[body].name);
+        let name = if term.law.is_couple() { force } else { symbols::torque(&of_body) };
         Expr::from(Symbol::new(name, Dimension::TORQUE))
     });
     let torque = sum(torque);

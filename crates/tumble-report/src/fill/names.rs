@@ -19,6 +19,8 @@ pub(super) const MASS: &str = "M";
 const GRAVITY: &str = "g";
 /// Digits of numbers in running text.
 const DIGITS: usize = 6;
+/// Digits of degrees that stand beside radians.
+const DEGREES: usize = 4;
 
 #[derive(Clone)]
 pub(crate) struct Names {
@@ -257,6 +259,14 @@ pub(crate) fn quantity_to(value: f64, digits: usize, unit: &str) -> Text {
         false if unit == "deg" => number.then(Label::unit(unit)).into(),
         false => number.then(Label::plain("\u{a0}")).then(Label::unit(unit)).into(),
     }
+}
+
+/// An angle in degrees, as it stands beside what it is in radians: `(20°)`; nothing beside none.
+pub(super) fn in_degrees(radians: f64) -> Text {
+    if radians == 0.0 || !radians.is_finite() {
+        return Text::default();
+    }
+    Text::from("\u{a0}(").and(quantity_to(radians.to_degrees(), DEGREES, "deg")).and(")")
 }
 
 /// What the scene's parameters and the bodies' motion are shown as.

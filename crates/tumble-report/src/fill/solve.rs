@@ -126,7 +126,7 @@ fn how(cases: &[&Case]) -> PrintedTable {
             held.unwrap_or_default().into(),
         ]
     };
-    let table = PrintedTable::new("How it was solved", columns.into());
+    let table = PrintedTable::new("The equations were solved in this way.", columns.into());
     let table = cases.iter().map(row).fold(table, PrintedTable::row);
     PrintedTable { notes: vec![explained(&table)], ..table }
 }
@@ -151,6 +151,6 @@ fn of_run(what: &str, cases: &[&Case], case: &Case) -> Text {
     if cases.len() > 1 { labelled(what, case) } else { what.into() }
 }
 
-pub(super) fn labelled(what: &str, case: &Case) -> Text {
+fn labelled(what: &str, case: &Case) -> Text {
     if case.label.is_empty() { what.into() } else { Text::from(format!("{what}, ")).and(case_label(case)) }
 }

@@ -54,12 +54,14 @@ pub(super) fn findings(study: &Study, runs: Runs<'_>) -> Vec<Text> {
     study.finds.iter().enumerate().filter_map(of).collect()
 }
 
-/// `greatest, 178.2° (6 digits), at T = 2.013 s (4 digits; 11 more runs were made to find it)`
+/// `largest, 178.2° (6 digits), at T = 2.013 s (4 digits; 11 more runs were made to find it)`
 fn located_words(study: &Study, located: &Located) -> Text {
     let Located { unit, parameter, parameter_unit, place, .. } = located;
     let value = with_digits(place.best.value, Some(place.best.error).filter(|e| e.is_finite()), unit);
     let name = finds::swept(study, parameter);
-    let words = Text::from(format!("{}, ", located.word())).and(value);
+    // What is greatest may itself be the least of a run.
+    let which = if located.word() == "least" { "smallest, " } else { "largest, " };
+    let words = Text::from(which).and(value);
     if let Some(Equal { runs, first, last }) = place.equal {
         let runs = words.and(format!(", in {runs} runs, the first with ")).and(name.clone()).and(" = ");
         let first = runs.and(quantity(first, parameter_unit)).and(", the last with ");
@@ -72,7 +74,7 @@ fn located_words(study: &Study, located: &Located) -> Text {
 fn place_words(place: &Optimum, unit: &str) -> Text {
     let at = place.best.at;
     let Some([low, high]) = place.between else {
-        return quantity(at, unit).and(", where the sweep ends");
+        return quantity(at, unit).and(", at an end of the sweep");
     };
     if place.made == 0 {
         let beside = Text::from(" (beside it in the sweep: ").and(quantity(low, unit)).and(" and ");
@@ -103,7 +105,7 @@ fn among(index: usize, runs: Runs<'_>) -> Option<Text> {
         let value = with_digits(find.value, find.error, &find.unit);
         Text::from(what).and(value).and(" with ").and(case_label(case))
     };
-    Some(of("greatest, ", greatest).and("; ").and(of("least, ", least)))
+    Some(of("largest, ", greatest).and("; ").and(of("smallest, ", least)))
 }
 
 /// Which runs are shown, where they are not all.

@@ -106,7 +106,7 @@ fn group(verb: &Verb, to: &str, points: &[String]) -> String {
 }
 
 /// `the tail and the tip`; whose points they are is said once.
-fn together(points: &[String]) -> String {
+pub(super) fn together(points: &[String]) -> String {
     let of = |point: &String| point.split_once(OF).map(|(point, body)| (point.to_owned(), body.to_owned()));
     match points.iter().map(of).collect::<Option<Vec<_>>>().as_deref() {
         Some([(_, body), others @ ..]) if others.iter().all(|(_, other)| other == body) => {
@@ -159,7 +159,7 @@ fn verb(contact_mode: ContactMode, grip: Option<Grip>, pair: &Pair) -> Verb {
 
 /// What touches: a round body, or a point of one, with its body where there are several; a corner that the scene has no name for
 /// always.
-fn point(study: &Study, pair: &Pair) -> String {
+pub(super) fn point(study: &Study, pair: &Pair) -> String {
     let model = &study.model.bodies[pair.body];
     let (body, point) = (symbols::the(&model.name), symbols::last(&pair.name));
     let is_named = !is_corner(point) || model.points.iter().any(|(name, _)| name == point);
@@ -176,7 +176,7 @@ fn is_corner(point: &str) -> bool {
 }
 
 /// What it touches.
-fn against(study: &Study, pair: &Pair) -> String {
+pub(super) fn against(study: &Study, pair: &Pair) -> String {
     match pair.other {
         Some(other) => symbols::the(&study.model.bodies[other].name),
         None => symbols::the(pair.name.split('.').next().unwrap_or(&pair.name)),

@@ -11,10 +11,10 @@ pub(super) fn bodies(bodies: &[BodyRow]) -> PrintedTable {
     let most = bodies.iter().max_by_key(|body| body.properties.len());
     let names = most.iter().flat_map(|body| &body.properties).map(|property| property.name.clone());
     let columns = std::iter::once("Body".into()).chain(names).map(Column::words).collect();
-    bodies
-        .iter()
-        .map(body)
-        .fold(PrintedTable { stacked: true, ..PrintedTable::new("Bodies", columns) }, PrintedTable::row)
+    bodies.iter().map(body).fold(
+        PrintedTable { stacked: true, ..PrintedTable::new("The bodies have these properties.", columns) },
+        PrintedTable::row,
+    )
 }
 
 fn body(body: &BodyRow) -> Vec<Text> {
@@ -80,7 +80,10 @@ pub(super) fn forces(forces: &[ForceRow]) -> PrintedTable {
         let name = if force.point.is_empty() { name } else { name.and("\nat ").and(force.point.clone()) };
         vec![name, stated(&force.law), stated(&force.torque)]
     };
-    let table = PrintedTable { stacked: true, ..PrintedTable::new("Forces and couples", columns.into()) };
+    let table = PrintedTable {
+        stacked: true,
+        ..PrintedTable::new("These forces and couples act on it.", columns.into())
+    };
     forces.iter().map(row).fold(table, PrintedTable::row)
 }
 
@@ -104,5 +107,8 @@ pub(super) fn checks(checks: &[CheckRow]) -> PrintedTable {
         let [expected, found, within] = [&check.expected, &check.found, &check.within].map(Clone::clone);
         vec![check.what.clone(), expected, found, within, result.into()]
     };
-    checks.iter().map(row).fold(PrintedTable::new("Checks", columns.into()), PrintedTable::row)
+    checks
+        .iter()
+        .map(row)
+        .fold(PrintedTable::new("The claims of the scene were checked.", columns.into()), PrintedTable::row)
 }

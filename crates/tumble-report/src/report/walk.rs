@@ -71,8 +71,11 @@ pub(super) trait Writer: Markup {
         let scene = identify.scene.as_ref().map(|picture| self.picture(picture));
         let sought = Self::titled("Sought", Self::list(&identify.sought));
         let question = [Self::paragraphs(&identify.intro), scene.unwrap_or_default(), sought];
-        let numbers = [("Parameters", &identify.parameters), ("At the start", &identify.initial)]
-            .map(|(caption, quantities)| rows::quantities(caption, quantities));
+        let numbers = [
+            ("The parameters have these values.", &identify.parameters),
+            ("The motion starts from this state.", &identify.initial),
+        ]
+        .map(|(caption, quantities)| rows::quantities(caption, quantities));
         let given =
             [Self::table(&rows::bodies(&identify.bodies)), Self::group("beside", Self::tables(&numbers))];
         Self::pair([Self::joined(question), Self::joined(given)])
@@ -80,12 +83,13 @@ pub(super) trait Writer: Markup {
 
     fn model(&mut self, model: &ModelPart) -> String {
         let bodies: Vec<_> = model.bodies.iter().map(|body| self.body(body)).collect();
+        let equations =
+            Self::joined([Self::equations_of_motion(&model.modes), Self::impacts(&model.impacts)]);
         Self::joined([
             Self::paragraphs(&model.intro),
             Self::titled("Assumptions", Self::list(&model.assumptions)),
             Self::joined(bodies),
-            Self::equations_of_motion(&model.modes),
-            Self::impacts(&model.impacts),
+            Self::group("columns", equations),
         ])
     }
 
@@ -139,9 +143,10 @@ pub(super) trait Writer: Markup {
     fn analyze(&mut self, analyze: &Analyze) -> String {
         let found = Self::joined([Self::paragraphs(&analyze.intro), Self::list(&analyze.findings)]);
         let animation = analyze.animation.as_ref().map(|animation| self.animation(animation));
+        let pair = Self::pair([Self::titled("Findings", found), animation.unwrap_or_default()]);
+        let seen = Self::joined([pair, self.shown(&analyze.plots, &analyze.pictures)]);
         let parts = [
-            Self::pair([Self::titled("Findings", found), animation.unwrap_or_default()]),
-            self.shown(&analyze.plots, &analyze.pictures),
+            Self::group("columns", seen),
             analyze.comparison.as_ref().map(Self::table).unwrap_or_default(),
             self.cases(&analyze.cases),
             Self::checks(&analyze.checks),

@@ -2,11 +2,13 @@
 
 use std::path::Path;
 
-use tumble_expr::{Expr, Substitution, units};
+use tumble_expr::{Expr, Substitution, Symbol, units};
+use tumble_notation::Math;
 use tumble_ode::Side;
 use tumble_scene::Study;
 
-use super::{solved, span};
+use super::{line, solved, span};
+use crate::fill::names::Names;
 use crate::results::Case;
 use crate::scenes;
 
@@ -115,4 +117,17 @@ fn phases_with_numbers_are_what_the_motion_does() {
         }
     });
     assert!(phases > 20 && values > 1000, "{phases} {values}");
+}
+
+#[test]
+fn an_angle_that_stays_is_told_in_degrees_too_and_a_rate_is_not() {
+    let (study, cases) = crate::scenes::motions_called("17-block-on-a-slope");
+    let study = study.with(&cases[0].parameters);
+    let names = Names::of(&study).expect("names");
+    let kinematics = study.model.bodies[0].kinematics();
+    let shown = |symbol: &Symbol, powers: &[f64]| line(&names, symbol, powers, &Math::symbol("t")).text;
+    let [angle, rate] = [kinematics.angle_symbol(), kinematics.omega_symbol()];
+    assert_eq!(shown(&angle, &[std::f64::consts::FRAC_PI_2]), "θ = 1.5708 rad\u{a0}(90°)");
+    assert_eq!(shown(&angle, &[0.0]), "θ = 0");
+    assert!(!shown(&angle, &[0.1, 2.0]).contains('°') && !shown(&rate, &[2.0]).contains('°'));
 }

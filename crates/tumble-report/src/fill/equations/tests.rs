@@ -147,3 +147,29 @@ fn conditions_say_once_what_they_are() {
     let said = blocks.flat_map(|block| &block.definitions).filter(|one| one.symbol.text == "\u{2026} = 0");
     assert_eq!(said.map(|one| one.meaning.to_plain()).collect::<Vec<_>>(), [STAYS]);
 }
+
+#[test]
+fn conditions_of_contacts_say_their_own_reasons() {
+    let reasons = |scene: &str| {
+        let (study, cases) = crate::scenes::motions_called(scene);
+        let study = study.with(&cases[0].parameters);
+        let names = Names::of(&study).expect("names");
+        let told = crate::fill::model::of(&study, &names, &cases).expect("a model").modes;
+        let said = told.iter().flat_map(|mode| &mode.equations).flat_map(|block| &block.definitions);
+        said.map(|one| format!("{}: {}", one.symbol.text, one.meaning.to_plain())).collect::<Vec<_>>()
+    };
+    let incline = reasons("20-rolling-down");
+    let stays = "A_y cos β − A_x sin β = 0: the disk stays on the incline";
+    assert!(incline.contains(&stays.to_owned()), "{incline:?}");
+    let rod = reasons("28-painleve-rod");
+    for said in ["A_y: the foot stays on the floor", "A_x: the foot does not slip on the floor"] {
+        assert!(rod.contains(&said.to_owned()), "{rod:?}");
+    }
+    let block = reasons("17-block-on-a-slope");
+    for said in [
+        "α = 0: the block does not turn",
+        "A_x cos β + A_y sin β = 0: corners 1 and 2 of the block do not slip on the incline",
+    ] {
+        assert!(block.contains(&said.to_owned()), "{block:?}");
+    }
+}

@@ -62,7 +62,7 @@ pub(super) fn held(seen: &Seen<'_>) -> Result<Vec<Said>, CaseError> {
         if needed > NO_FRICTION * most {
             let [needed, most] = [needed, most].map(|force| quantity_to(force, DIGITS, "N"));
             let before = format!("Friction holds {} on {}: ", seen.called(), symbols::the(&surface.name));
-            found.push(Said::new(before, needed.and(" of the ").and(most).and(" that it could be")));
+            found.push(Said::new(before, needed.and(" of at most ").and(most)));
         }
     }
     Ok(found)

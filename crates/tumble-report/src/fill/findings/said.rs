@@ -102,7 +102,7 @@ fn listed(parts: impl Iterator<Item = Text>, between: &str) -> Text {
 }
 
 /// What holds of all numbers in findings.
-pub(in crate::fill) const ALL_VERIFIED: &str = "Values are rounded to six digits or fewer, all of them verified; where no more are, their number is stated. Zeros at the end are left out.";
+pub(in crate::fill) const ALL_VERIFIED: &str = "Values are rounded to at most six digits, all of them verified; where fewer are, it is said how many. Zeros at the end are left out.";
 
 /// What is said of a value without digits.
 const UNKNOWN: &str = "(no digit is known)";

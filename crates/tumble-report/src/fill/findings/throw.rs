@@ -46,7 +46,8 @@ pub(super) fn apex(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
         0 => Text::default(),
         // Bounces that are not followed to their end reach infinitely many.
         _ if seen.bounces_without_end() => ", and others".into(),
-        more => format!(", and {more} more").into(),
+        1 => ", and once more".into(),
+        more => format!(", and {more} times more").into(),
     };
     let before = format!("The centre of {} reaches {words}", seen.called());
     Ok(value.map(|value| Said::new(before, value.and(more))))

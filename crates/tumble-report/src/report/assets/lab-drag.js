@@ -12,6 +12,8 @@ class LivePlayer extends Player {
     super(figure, data);
     Object.assign(this, { grips, ghosts: [], pins: [], held: this.boxes(), settled: this.cases });
     this.speedsShown = this.check(this.bar, "Velocities", false);
+    this.howTo = make("p", { class: "note", hidden: "" }, this.live);
+    this.howTo.textContent = "Drag a ring in the picture, or use the arrow keys on it: it sets how the motion starts.";
     this.energyBox = make("div", { class: "energy", role: "img", hidden: "" }, this.live);
     // What can be dragged is in it.
     this.svg.setAttribute("role", "group");
@@ -176,6 +178,7 @@ class LivePlayer extends Player {
       if (angle) this.turnGrip(body, name, centre, angle, !(x && y));
       if (vx && vy) this.speedGrip(centre, name, [vx, vy], index);
     }
+    this.howTo.hidden = !this.handles.length;
   }
 
   /** A place that is dragged with a pointer or moved by keys; `set` makes values of where it is. */

@@ -51,8 +51,9 @@ impl Writer for Page {
         let lines = Self::joined(block.lines.iter().map(|line| tagged("div", "line", &Self::math(line))));
         let definition = |definition: &Definition| {
             let meaning = Self::text(&definition.meaning);
-            // An equation that says it all may be as long as any: it scrolls where it is wider than the page.
-            let class = if meaning.is_empty() { " class=\"line\"" } else { "" };
+            // An equation may be as long as any: it has lines, and what it means stands below it where there is no room beside.
+            let is_equation = meaning.is_empty() || definition.symbol.text.contains(" = ");
+            let class = if is_equation { " class=\"line\"" } else { "" };
             fact(class, &Self::math(&definition.symbol), &meaning)
         };
         let definitions = tagged("dl", "where", &Self::joined(block.definitions.iter().map(definition)));

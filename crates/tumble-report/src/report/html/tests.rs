@@ -318,3 +318,18 @@ fn what_is_expected_of_other_values_has_not_failed() {
     assert!(own.contains("1 of 1 checks failed.") && !own.contains(rows::OF_OTHER_VALUES));
     assert!(!other.contains("checks failed.") && other.contains(rows::OF_OTHER_VALUES));
 }
+
+#[test]
+fn equations_that_are_explained_may_break() {
+    let explained = |symbol: &str| {
+        let symbol = Typeset { text: symbol.to_owned(), ..formula() };
+        let definitions = vec![Definition { symbol, meaning: "the disk stays on the incline".into() }];
+        let block = Block { definitions, ..Block::default() };
+        let impacts = ModelPart { impacts: vec![block], ..ModelPart::default() };
+        Report { model: impacts, ..Report::default() }.html()
+    };
+    assert!(
+        explained("A_y = 0").contains("<dt class=\"line\">")
+            && !explained("A_y").contains("<dt class=\"line\">")
+    );
+}
