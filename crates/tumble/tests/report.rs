@@ -235,7 +235,7 @@ fn the_greatest_answer_of_a_sweep_is_located() {
     assert!((located["value"].as_f64().expect("a number") - 2.5).abs() < 1e-6, "{located}");
     assert_eq!(located["which"], "greatest");
     let page = read(&outcome.folder.join("report.html"));
-    assert!(page.contains("Horizontal position <i>x</i> at the end is greatest"));
+    assert!(page.contains("Horizontal position <i>x</i> at the end is largest"));
     assert!(page.contains("all 12 runs") && page.contains("median"), "a long sweep is bands");
     assert!(outcome.folder.join("find.range.svg").is_file());
     let least = &summary["located"][1];

@@ -171,3 +171,33 @@ pub(crate) fn motion(animation: &Animation) -> Text {
     let words = Text::from(format!("The motion is shown from {from} to {to}\u{a0}s"));
     first.map_or(words.clone(), |name| words.and(" (").and(name).and(")")).and(".")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_symbols_mean_is_a_sentence() {
+        let of = |symbols: &[(&str, &'static str)]| {
+            let all: Vec<_> = symbols.iter().map(|(name, words)| (Label::symbol(name), *words)).collect();
+            meaning(all.into_iter()).to_plain()
+        };
+        assert_eq!(of(&[]), "");
+        assert_eq!(of(&[("g", "the gravity")]), " Here g is the gravity.");
+        let three = [("r", "the arm"), ("v", "the velocity"), ("u", "the wind")];
+        assert_eq!(of(&three), " Here r is the arm, v the velocity and u the wind.");
+    }
+
+    #[test]
+    fn what_dashed_lines_mark_is_a_sentence() {
+        let of = |words: &[&str]| {
+            let marks: Vec<Mark> =
+                words.iter().map(|words| Mark { label: Label::plain(words), ..Mark::default() }).collect();
+            dashed(&marks).to_plain()
+        };
+        assert_eq!(of(&[]), "");
+        assert_eq!(of(&["apex", "apex"]), " The dashed line marks “apex”.");
+        assert_eq!(of(&["hit", "apex"]), " The dashed lines mark “hit” and “apex”.");
+        assert_eq!(of(&["a", "b", "c", "d"]), " The dashed lines mark events.");
+    }
+}
