@@ -6,7 +6,7 @@ mod hits;
 mod off;
 
 use smallvec::{SmallVec, smallvec};
-use tumble_expr::{Active, Branches, Drawn, Jets, Remainders, Rounded, Row, Turning};
+use tumble_expr::{Active, Branches, Jets, Remainders, Rounded, Row, Turning};
 
 use crate::Reason;
 use crate::check::{Check, Verdict};
@@ -24,6 +24,7 @@ use crate::whole::{Demand, Halvings, Noise};
 use crate::work::Work;
 use branches::BranchSigns;
 pub(crate) use hits::{Hit, Hits};
+use off::Off;
 
 /// A guard is beyond zero if it is so by more than this part of its scale: where it was located it is there but for rounding.
 const KEPT: f64 = 1e-11;
@@ -45,8 +46,8 @@ pub(crate) struct Engine {
     /// Room for what they are evaluated at.
     pub(crate) rounded_leaves: Vec<Rounded>,
     pub(crate) rounded_signs: Vec<Rounded>,
-    /// Rates with one of the errors that rounding may have made: made where a motion is rounded in another way.
-    drawn: Option<Box<Jets<Drawn>>>,
+    /// Made where a motion is rounded in another way.
+    off: Option<Box<Off>>,
     /// Made when the first step needs it.
     pub(crate) enclosure: Option<Enclosure>,
     pub(crate) halvings: Halvings,
@@ -86,7 +87,7 @@ impl Engine {
             rounded,
             rounded_leaves: vec![],
             rounded_signs: vec![],
-            drawn: None,
+            off: None,
             enclosure: None,
             halvings: Halvings::default(),
             remainders: Remainders::default(),

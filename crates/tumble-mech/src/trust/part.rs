@@ -79,9 +79,11 @@ impl Part {
             SAFETY * ULPS * floor
         });
         for Row { time, errors, .. } in states.rows().filter(|row| !row.passes) {
-            // What is no number counts.
-            let is_motion =
-                |index: usize, error: f64| error.is_nan() || error > rounding[index % MEASURES.len()];
+            // What is no number counts, and rounding only where the scale is more than that: what rests has no digits to lose.
+            let is_motion = |index: usize, error: f64| {
+                let (rounding, scale) = (rounding[index % MEASURES.len()], scales[index % MEASURES.len()]);
+                error.is_nan() || error > rounding || rounding < LOST * scale
+            };
             let counted = errors.iter().enumerate().filter(|(index, error)| is_motion(*index, **error));
             let relative = counted.map(|(index, error)| error / scales[index % MEASURES.len()]);
             let worst = relative.fold(0.0, larger);

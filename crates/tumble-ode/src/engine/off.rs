@@ -4,6 +4,13 @@ use tumble_expr::{Branches, Drawn, Jets, Rounding, Scalar, is_short};
 
 use super::Engine;
 
+/// Rates with one of the errors that rounding may have made, and room for what they are evaluated at.
+pub(crate) struct Off {
+    jets: Jets<Drawn>,
+    leaves: Vec<Drawn>,
+    signs: Vec<Drawn>,
+}
+
 impl Engine {
     /// Finds what each rate is off by: what rounding makes of a state or of an operation is one for all rates that follow from it, so that
     /// friction is off as what presses is.
@@ -13,19 +20,22 @@ impl Engine {
         rounding: Rounding,
         (time, states, compensation): (f64, &[f64], &[f64]),
     ) {
-        let drawn = self.drawn.get_or_insert_with(|| {
+        let Off { jets, leaves, signs } = &mut **self.off.get_or_insert_with(|| {
             let inputs: Vec<Drawn> = self.inputs.iter().map(|value| Drawn::splat(*value)).collect();
-            Box::new(Jets::new(self.system.tape.clone(), 0, &inputs))
+            let jets = Jets::new(self.system.tape.clone(), 0, &inputs);
+            Box::new(Off { jets, leaves: vec![], signs: vec![] })
         });
         let leaf =
             |(state, (value, left_out)): (usize, (&f64, &f64))| match *left_out == 0.0 && is_short(*value) {
                 true => Drawn::splat(*value),
                 false => Drawn::off_by(*value, rounding.draw(*value, state as u64)),
             };
-        let leaves: Vec<Drawn> = states.iter().zip(compensation).enumerate().map(leaf).collect();
-        let signs: Vec<Drawn> = self.branch_signs.signs.iter().map(|sign| Drawn::splat(*sign)).collect();
-        drawn.start(Drawn::splat(time), &leaves, Branches::Frozen(&signs));
-        let rates = (0..states.len()).map(|state| drawn.value_of(state).off());
+        leaves.clear();
+        leaves.extend(states.iter().zip(compensation).enumerate().map(leaf));
+        signs.clear();
+        signs.extend(self.branch_signs.signs.iter().map(|sign| Drawn::splat(*sign)));
+        jets.start(Drawn::splat(time), leaves, Branches::Frozen(signs));
+        let rates = (0..states.len()).map(|state| jets.value_of(state).off());
         off.extend(rates.map(|off| if off.is_finite() { off } else { 0.0 }));
     }
 }

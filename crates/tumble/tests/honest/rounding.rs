@@ -271,3 +271,12 @@ fn friction_is_off_as_what_presses_is() {
     let speed = -0.2251 - slip * 2.0 / 7.0;
     are(&found, [speed, -speed / 0.398], 1e-13);
 }
+
+/// No more digits are told of all of a motion than of its parts: rounding counts wherever what moves is more than that.
+#[test]
+fn all_of_a_motion_has_no_more_digits_than_its_parts() {
+    let case = scene(BOUNCING).heavy().until("10 s").run(&["p.vy"]);
+    let (error, fastest) = (case.finds[0].error.expect("an error"), (2.0 * 9.81_f64).sqrt());
+    let reached = case.trust.expect("check runs").reached;
+    assert!(reached >= 0.5 * error / fastest && error > 1e-14, "{reached:e} of all, {error:e} of the speed");
+}
