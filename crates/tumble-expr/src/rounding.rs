@@ -84,21 +84,27 @@ impl Rounding {
     /// How many times an error that it may have a value is off: 0.51 to 1, up or down; 0 to the nearest.
     pub fn draw(self, value: f64, key: u64) -> f64 {
         let Some(seed) = self.0 else { return 0.0 };
-        let told = value.to_bits() >> (u64::BITS - 12 - TOLD_APART);
-        let bits = mix(mix(mix(seed) ^ key) ^ told);
-        let sign = if bits & 1 == 0 { 1.0 } else { -1.0 };
-        // The upper bits as a part of one: sizes are drawn evenly in their logarithm.
-        let part = (bits >> 11) as f64 / (1_u64 << 53) as f64;
+        let (sign, part) = sign_and_part(mix(mix(mix(seed) ^ key) ^ told(value)));
+        // Sizes are drawn evenly in their logarithm.
         sign * MOVES[0] * libm::pow(MOVES[1] / MOVES[0], part)
     }
 }
 
 /// By how many eps a number is off one of its roundings: a half to one, up or down, as its first digits and what its error was before have it.
 pub(crate) fn drawn(value: f64, error: f64) -> f64 {
-    let told = |of: f64| of.to_bits() >> (u64::BITS - 12 - TOLD_APART);
-    let bits = mix(mix(told(value)) ^ told(error));
+    let (sign, part) = sign_and_part(mix(mix(told(value)) ^ told(error)));
+    sign * (0.5 + 0.5 * part)
+}
+
+/// The bits of a value by which draws tell it from others.
+fn told(value: f64) -> u64 {
+    value.to_bits() >> (u64::BITS - 12 - TOLD_APART)
+}
+
+/// Up or down, and a part of one: of mixed bits the last and the upper ones.
+fn sign_and_part(bits: u64) -> (f64, f64) {
     let sign = if bits & 1 == 0 { 1.0 } else { -1.0 };
-    sign * (0.5 + 0.5 * (bits >> 11) as f64 / (1_u64 << 53) as f64)
+    (sign, (bits >> 11) as f64 / (1_u64 << 53) as f64)
 }
 
 /// A sum, rounded, and what rounding leaves out of it; exact where the change is the smaller one.

@@ -177,12 +177,7 @@ impl Drawing<'_> {
         for force in &own {
             panel = self.with_force(panel, force, time)?;
             if force.torque().abs() > NO_TORQUE * largest {
-                let name = symbols::force(self.study, &force.load, force.law);
-                let name = if force.law.is_couple() {
-                    name
-                } else {
-                    symbols::torque(&self.of_body(&name, &force.load))
-                };
+                let name = symbols::torque_of(self.study, (&force.load, force.law), self.body);
                 panel = panel.couple(Couple::new(kind(force.law), Label::symbol(&name), force.torque()));
             }
         }

@@ -157,6 +157,15 @@ pub(crate) fn contact(study: &Study, pair: &str) -> String {
     }
 }
 
+/// The symbol of what a load does to turn a body about its centre of mass: the torque of a force, and of a couple itself.
+pub(crate) fn torque_of(study: &Study, (load, law): (&str, Law), body: usize) -> String {
+    let symbol = force(study, load, law);
+    match law.is_couple() {
+        true => symbol,
+        false => torque(&of_body(study, &symbol, load, &study.model.bodies[body].name)),
+    }
+}
+
 /// The symbol of a force of a joint or contact as it is for one of its two bodies, whose arm and torque are not the other's: with
 /// `disk2` first, of `N_disk1_disk2`; `R_elbow,arm`.
 pub(crate) fn of_body(study: &Study, symbol: &str, load: &str, body: &str) -> String {

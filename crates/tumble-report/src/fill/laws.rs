@@ -62,9 +62,7 @@ fn laws_of(study: &Study, names: &Names, case: &Case, (body, terms): (usize, &[T
         |term: &&Term| !is_identically_zero(&term.torque()) && names.formula(&term.torque()).text != "0";
     let torque = terms.iter().filter(turns);
     let torque = torque.map(|term| {
-        let force = symbols::force(study, &term.load, term.law);
-        let of_body = symbols::of_body(study, &force, &term.load, &study.model.bodies[body].name);
-        let name = if term.law.is_couple() { force } else { symbols::torque(&of_body) };
+        let name = symbols::torque_of(study, (&term.load, term.law), body);
         Expr::from(Symbol::new(name, Dimension::TORQUE))
     });
     let torque = sum(torque);
