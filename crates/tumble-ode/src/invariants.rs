@@ -10,7 +10,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use tumble_expr::{Branches, Jets, LEFT_OUT, Rounding, SparseSystem};
+use tumble_expr::{Branches, Jets, Rounding, SparseSystem};
 
 use crate::compiled::Compiled;
 use crate::flow::Invariant;
@@ -225,13 +225,14 @@ impl Invariants {
         self.normal.factor(&self.entries) > 0.0
     }
 
-    /// Moves the states by one correction, where the functions have been evaluated. Rounded in another way, they are to be what rounding of the
-    /// states makes of zero: far from the origin a place that cannot take a correction up leaves it to others.
+    /// Moves the states by one correction, where the functions have been evaluated. Rounded in another way, they are to be as much as
+    /// rounding of the states makes of zero, and more than it leaves: far from the origin a place that cannot take a correction up leaves it to
+    /// others.
     fn correct(&mut self, states: &mut [f64]) {
         let of = |output: usize| self.values.value_of(output);
         let zero = |row: &Row| {
             let spacing: f64 = row.slopes().map(|(state, slope)| (of(slope) * states[state]).abs()).sum();
-            self.rounding.draw(spacing, row.output as u64) * LEFT_OUT * f64::EPSILON * spacing
+            self.rounding.draw(spacing, row.output as u64) * f64::EPSILON * spacing
         };
         self.off.clear();
         self.off.extend(self.rows.list.iter().map(|row| of(row.output) - zero(row)));
