@@ -1,6 +1,8 @@
 //! The error of one quantity at one instant of a motion.
 
-use tumble_expr::{Branches, Expr, Jets, Node, Rounded, is_short};
+use std::sync::Arc;
+
+use tumble_expr::{Branches, Drawn, Expr, Jets, Node, Rounding, is_short};
 use tumble_ode::{MotionState, Side};
 
 use crate::evaluator::evaluate;
@@ -17,8 +19,10 @@ const RATE_PART: f64 = 1e-6;
 const RATE_ULPS: f64 = 1024.0;
 /// Events before and after an instant that may belong on its other side.
 const NEIGHBOURS: usize = 4;
-/// Rounding errors of a quantity, in units of what its running error analysis says.
+/// The rounding error of a quantity, in units of the largest of those that were drawn.
 const NOISE: f64 = 2.0;
+/// Seeds of the draws.
+const SEEDS: [u64; 4] = [0x6e6f_6973, 0x6265_6c6f, 0x7769_7468, 0x696e_2121];
 
 /// An instant of a motion.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +41,7 @@ impl Part {
         let (run, motion) = (&self.run, self.run.motion());
         let Some(place) = motion.place_at(at.time, at.side) else { return Ok(None) };
         let mut quantity = Quantity::new(run, formula, &place)?;
-        let noise = NOISE * quantity.noise()?;
+        let noise = NOISE * quantity.noise();
         if !depends_on_motion(run, formula) {
             return Ok(Some(noise));
         }
@@ -77,7 +81,7 @@ impl Part {
         let mut quantity = Quantity::new(&self.run, formula, &place)?;
         let off = |(check, found): (&CheckRun, &f64)| check.safety * (found - quantity.value).abs();
         let off = self.checks.iter().zip(found).map(off).fold(0.0, larger);
-        let rounding = NOISE * quantity.noise()? + ULPS * f64::EPSILON * quantity.value.abs();
+        let rounding = NOISE * quantity.noise() + ULPS * f64::EPSILON * quantity.value.abs();
         let blur = if at.off > 0.0 { quantity.rate() * instant_blur(&motion, at.time) } else { 0.0 };
         Ok(Some(off + rounding + blur + self.jumps(formula, at)?))
     }
@@ -111,7 +115,7 @@ pub(super) fn rounding_at(
 ) -> Result<Option<f64>, RunError> {
     let motion = run.motion();
     let Some(place) = motion.place_at(time, side) else { return Ok(None) };
-    Ok(Some(NOISE * Quantity::new(run, formula, &place)?.noise()?))
+    Ok(Some(NOISE * Quantity::new(run, formula, &place)?.noise()))
 }
 
 /// Whether a formula holds anything of the motion, and not parameters alone.
@@ -143,15 +147,27 @@ impl<'a> Quantity<'a> {
         self.jets.value_of(0)
     }
 
-    /// The rounding error of the formula itself, from numbers and states that are rounded.
-    fn noise(&self) -> Result<f64, RunError> {
-        let inputs: Vec<Rounded> = self.run.inputs.iter().map(|value| Rounded::leaf(*value)).collect();
-        let leaf = if self.place.time > 0.0 { Rounded::computed } else { Rounded::leaf };
-        let states: Vec<Rounded> = self.place.states.iter().map(|value| leaf(*value)).collect();
-        let mut rounded = Jets::new(self.jets.tape().clone(), 0, &inputs);
-        rounded.start(Rounded::leaf(self.place.time), &states, Branches::Free);
-        let noise = rounded.value_of(0).noise();
-        Ok(if noise.is_finite() { noise } else { 0.0 })
+    /// The rounding error of the formula itself, from numbers and states that are rounded: the largest of some that it may have. One that
+    /// two parts of it have from one number goes out of their difference.
+    fn noise(&self) -> f64 {
+        SEEDS.into_iter().map(|seed| self.off(Rounding::perturbed(seed)).abs()).fold(0.0, larger)
+    }
+
+    /// One of those errors; zero where there is none that is a number.
+    fn off(&self, rounding: Rounding) -> f64 {
+        let (run, MotionState { time, states, .. }) = (self.run, self.place);
+        let leaf = |is_exact: bool, (index, value): (usize, &f64)| {
+            Drawn::off_by(*value, if is_exact { 0.0 } else { rounding.draw(*value, index as u64) })
+        };
+        let number = |at: (usize, &f64)| leaf(is_short(*at.1), at);
+        let state = |at: (usize, &f64)| leaf(*time == 0.0 && is_short(*at.1), at);
+        let inputs: Vec<Drawn> = run.inputs.iter().enumerate().map(number).collect();
+        let states: Vec<Drawn> = states.iter().enumerate().map(state).collect();
+        let mut jets = Jets::new(Arc::new(self.jets.tape().rounded(rounding)), 0, &inputs);
+        jets.start(number((states.len(), time)), &states, Branches::Free);
+        let found = jets.value_of(0);
+        let off = found.value - self.value + found.off();
+        if off.is_finite() { off } else { 0.0 }
     }
 
     /// What errors of the states, by [`kinematics`], do to the value, each by itself.

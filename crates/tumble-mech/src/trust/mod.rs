@@ -14,7 +14,8 @@
 //!
 //! with t' in the step of t and the one before it; d the largest difference to a check run at equal times; c the smaller of d and the
 //! difference at equal times since the last event, zero while a compliant surface is hit, for a time much shorter than other
-//! phases, and in the last impacts of a Zeno sequence: an impact that comes a little late spoils no digits after it; e_i the error D of a state; noise the rounding error of f itself; tau the error of the time.
+//! phases, and in the last impacts of a Zeno sequence: an impact that comes a little late spoils no digits after it; e_i the error D of a
+//! state; noise NOISE times the largest of some rounding errors that f itself may have; tau the error of the time.
 //! What is singular, or jumps, elsewhere in the run spoils D there and leaves P. The error of an event's time is SAFETY times
 //! the largest difference of the times, and what rounding of the function does that is crossed.
 //!
