@@ -128,12 +128,14 @@ impl Accumulation {
         let law = Some(impulse.source.law());
         let load = self.run.equations.source_name(impulse.source).to_owned();
         let body = Some(impulse.body);
-        let speed = |motion: &Motion| {
-            let velocity = libm::hypot(motion.velocity[0], motion.velocity[1]);
-            velocity + motion.omega.abs() * libm::hypot(rx, ry)
+        let speeds = |motion: &Motion| {
+            let ([vx, vy], omega) = (motion.velocity.map(f64::abs), motion.omega.abs());
+            [vx + omega * ry.abs(), vy + omega * rx.abs(), omega]
         };
-        let turning = impulse.couple.abs() * (old.omega.abs() + new.omega.abs());
-        let size = 0.5 * (libm::hypot(jx, jy) * (speed(old) + speed(new)) + turning);
+        let sizes = |motion: &Motion| -> f64 {
+            speeds(motion).iter().zip([jx, jy, impulse.couple]).map(|(speed, part)| speed * part.abs()).sum()
+        };
+        let size = 0.5 * (sizes(old) + sizes(new));
         let amounts = [jx * vx + jy * vy + impulse.couple * omega, jx, jy, angular];
         self.add_impact(Key { load, law, body, kind: ContributionKind::Impact }, amounts, size);
         [jx, jy, rx * jy - ry * jx + impulse.couple]

@@ -243,3 +243,15 @@ fn infinitely_many_impacts_at_one_instant_come_to_their_limit() {
         }
     }
 }
+
+/// How fast it moves along the floor takes no part in what the floor does to it.
+#[test]
+fn the_work_of_a_floor_is_known_as_well_of_what_is_thrown_far() {
+    for speed in [0.0, 3e3, -7.1e6] {
+        let ball = format!(
+            "[body.p]\npoint = {{}}\nmass = \"1 kg\"\nstart = {{ at = [0, \"2 m\"], velocity = [\"{speed:e} m/s\", 0] }}\n\
+             [surface.floor]\nthrough = [0, 0]\nrigid = {{ restitution = 0.6 }}\n"
+        );
+        scene(&ball).heavy().ask(["floor.work"])[0].is(-2.0 * 9.81, 2e-12);
+    }
+}
