@@ -25,7 +25,9 @@ mod twist;
 mod walls;
 mod windows;
 
-use std::panic::catch_unwind;
+use std::cell::Cell;
+use std::panic::{catch_unwind, set_hook, take_hook};
+use std::sync::Once;
 
 use super::draw::Draw;
 use super::setup::{Problem, Setup};
@@ -86,5 +88,28 @@ pub(crate) fn problem(seed: u64, family: usize, index: u64) -> Problem {
         let draw = Draw::of(seed, family as u64, index + attempt * ANEW);
         catch_unwind(|| (FAMILIES[family].make)(Setup::new(draw))).ok()
     };
-    (0..).find_map(drawn).expect("one of many draws makes a problem")
+    let quietly = |attempt: u64| {
+        IS_DRAWING.set(true);
+        let drawn = drawn(attempt);
+        IS_DRAWING.set(false);
+        drawn
+    };
+    QUIET.call_once(tell_no_draws);
+    (0..).find_map(quietly).expect("one of many draws makes a problem")
+}
+
+static QUIET: Once = Once::new();
+
+thread_local! {
+    static IS_DRAWING: Cell<bool> = const { Cell::new(false) };
+}
+
+/// That a draw makes no problem is nothing to tell.
+fn tell_no_draws() {
+    let tell = take_hook();
+    set_hook(Box::new(move |panic| {
+        if !IS_DRAWING.get() {
+            tell(panic);
+        }
+    }));
 }
