@@ -99,6 +99,21 @@ pub(crate) fn independent(a: &DMatrix<f64>, rows: impl IntoIterator<Item = usize
     })
 }
 
+/// Whether these rows do to each other the same both ways, but for rounding.
+pub(crate) fn is_symmetric(a: &DMatrix<f64>, rows: &[usize]) -> bool {
+    let differ = |i: usize, j: usize| (a[(i, j)] - a[(j, i)]).abs();
+    let least = |i: usize, j: usize| DEPENDENT * libm::sqrt(a[(i, i)] * a[(j, j)]);
+    rows.iter().all(|i| rows.iter().all(|j| differ(*i, *j) <= least(*i, *j)))
+}
+
+/// Whether no row is one of the others but for rounding: what is left of a pivot then is no part of the row itself, however small that is.
+pub(crate) fn are_independent(a: &DMatrix<f64>, rows: &[usize]) -> bool {
+    let part = DMatrix::from_fn(rows.len(), rows.len(), |i, j| a[(rows[i], rows[j])]);
+    let Some(factors) = part.clone().cholesky() else { return false };
+    let lower = factors.l_dirty();
+    (0..rows.len()).all(|i| lower[(i, i)] * lower[(i, i)] > rounding_of_pivot(&part, lower, i))
+}
+
 /// What of the w is nothing.
 fn rounding(a: &DMatrix<f64>, b: &DVector<f64>, z: &DVector<f64>) -> f64 {
     let pushed = if z.is_empty() { 0.0 } else { (a.abs() * z.abs()).amax() };

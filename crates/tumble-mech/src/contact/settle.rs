@@ -116,6 +116,8 @@ struct Settling<'a> {
     rebounding: Vec<usize>,
     /// Those that open though nothing of it is seen yet but rounding.
     opening: Vec<usize>,
+    /// Those that touch at the ends of their edges and move beyond these.
+    beyond: Vec<usize>,
     /// Speeds before the impact, by position: what rounding after it is relative to.
     speed: DVector<f64>,
     /// Accelerations of the gaps with the forces of the contacts that last, m/s^2.
@@ -241,6 +243,7 @@ impl<'a> Settling<'a> {
             is_unresolved: false,
             rebounding: vec![],
             opening: vec![],
+            beyond: vec![],
         }
     }
 
@@ -342,7 +345,7 @@ impl<'a> Settling<'a> {
         jump.early = zeno.as_ref().map_or(0.0, |zeno| zeno.slow.time).max(self.bounced).max(jump.early);
         jump.wake = wake.map(|time| self.now.time + time).or(jump.wake);
         let mut members: BTreeSet<usize> = self.part.iter().copied().collect();
-        members.extend(zeno.into_iter().flat_map(|zeno| zeno.members));
+        members.extend(zeno.into_iter().flat_map(|zeno| zeno.members).chain(self.beyond.iter().copied()));
         for position in members {
             let index = self.touch.pairs[position];
             let pair = &self.equations.pairs()[index];
@@ -426,7 +429,8 @@ impl<'a> Settling<'a> {
     fn may_touch(&self, position: usize, touched: &Touched) -> bool {
         let Touch { gap, blur, pairs, .. } = &self.touch;
         let pair = pairs[position];
-        let touches = gap[position].abs() <= blur[position] && !touched.left.contains(&pair);
+        let is_there = !touched.left.contains(&pair) && !self.beyond.contains(&position);
+        let touches = gap[position].abs() <= blur[position] && is_there;
         touches && self.equations.pairs()[pair].is_rigid()
     }
 

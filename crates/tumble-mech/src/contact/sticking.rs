@@ -13,6 +13,7 @@
 //! in the place of z_n: what sticks is held by up to the sum of `mu_s` times the loads of all points that slip alike.
 
 mod pivoting;
+mod redundant;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -85,6 +86,7 @@ struct Tie {
 }
 
 /// The problem along the normals that is left once friction is eliminated.
+#[derive(Clone)]
 pub(super) struct Reduced {
     pub(super) matrix: DMatrix<f64>,
     pub(super) without: DVector<f64>,
@@ -315,7 +317,8 @@ impl Rough<'_> {
             (0..self.contacts.len()).filter(|index| held.contains(&self.contacts[*index])).collect();
         let of = (&reduced.matrix, &reduced.without);
         let pushes = standing(of.0, of.1, &held).or_else(|| standing_together(of.0, of.1, &held))?;
-        Some(self.complete(grips, reduced, &held, &pushes))
+        let is_redundant = self.is_redundant(&reduced, &held);
+        (!is_redundant).then(|| self.complete(grips, reduced, &held, &pushes))
     }
 
     /// The solution for a choice of grips, whether or not friction allows it.
@@ -326,6 +329,9 @@ impl Rough<'_> {
     /// The same of the problem that is left.
     pub(super) fn solved(&self, grips: &[Grip], reduced: Reduced) -> Option<Pushes> {
         let (held, pushes) = pushing(&reduced.matrix, &reduced.without)?;
+        if self.is_redundant(&reduced, &held) {
+            return self.with_one_less(grips, reduced, &held);
+        }
         Some(self.complete(grips, reduced, &held, &pushes))
     }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use tumble_expr::Expr;
 use tumble_ode::Reason;
 
-use super::{STANDS, Settling};
+use super::{Lasting, STANDS, Settling, Touched};
 use crate::contact::pair::Rule;
 use crate::mode::Mode;
 use crate::record::Jump;
@@ -27,7 +27,7 @@ impl Settling<'_> {
             return Ok(());
         }
         let mut passed = vec![];
-        for [one, other] in self.on_corners(jump)? {
+        for [one, other] in self.on_corners(&self.part, jump)? {
             match [one, other].map(|position| closes(&position)) {
                 [true, true] if !self.are_on_one_floor(one) => return Err(self.corner_on_corner(one, other)),
                 [true, false] => passed.push(one),
@@ -36,19 +36,55 @@ impl Settling<'_> {
                 [true, true] | [false, false] => {}
             }
         }
-        self.part.retain(|position| !passed.contains(position));
+        self.pass_by(passed);
         Ok(())
     }
 
-    /// Contacts of the same two at one point with two normals.
-    fn on_corners(&self, jump: &Jump<Mode>) -> Result<Vec<[usize; 2]>, Reason> {
+    /// Lets these contacts have no part in what happens at this instant.
+    fn pass_by(&mut self, some: Vec<usize>) {
+        self.part.retain(|position| !some.contains(position));
+        self.beyond.extend(some);
+    }
+
+    /// Drops contacts that were to last though the motion takes them beyond the ends of their edges; whether there are any. The places that one corner
+    /// cannot take, seen from the other body, end in a convex corner with a face for each of the two contacts. Along either face the other contact's gap
+    /// becomes negative, and counts for nothing there. Where it opens while the first stands, the motion has left the first's face, whose
+    /// push would hold back what nothing holds.
+    pub(super) fn pass_ends(
+        &mut self,
+        lasting: &Lasting,
+        touched: &Touched,
+        jump: &Jump<Mode>,
+    ) -> Result<bool, Reason> {
+        let held: Vec<usize> = lasting.modes.iter().map(|(position, _)| *position).collect();
+        let opens = |position: &usize| {
+            let moves = self.touch.rate[*position] > 0.0 && !self.stands(*position);
+            let begins_to = self.stands(*position) && self.then[*position] > self.zero();
+            (moves || begins_to) && !held.contains(position) && self.may_touch(*position, touched)
+        };
+        let opening: Vec<usize> = (0..self.touch.pairs.len()).filter(opens).collect();
+        if held.is_empty() || opening.is_empty() {
+            return Ok(false);
+        }
+        let couples = self.on_corners(&[held, opening.clone()].concat(), jump)?;
+        let beyond = couples.into_iter().filter_map(|[one, other]| {
+            match [one, other].map(|position| opening.contains(&position)) {
+                [true, false] => Some(other),
+                [false, true] => Some(one),
+                [true, true] | [false, false] => None,
+            }
+        });
+        let beyond: Vec<usize> = beyond.collect();
+        let is_any = !beyond.is_empty();
+        self.pass_by(beyond);
+        Ok(is_any)
+    }
+
+    /// Contacts of the same two, of some, at one point with two normals.
+    fn on_corners(&self, some: &[usize], jump: &Jump<Mode>) -> Result<Vec<[usize; 2]>, Reason> {
         let pair = |position: &usize| &self.equations.pairs()[self.touch.pairs[*position]];
-        let sharp = self
-            .part
-            .iter()
-            .copied()
-            .filter(|position| pair(position).has_edge() && !pair(position).is_round());
-        let sharp: Vec<usize> = sharp.collect();
+        let is_sharp = |position: &usize| pair(position).has_edge() && !pair(position).is_round();
+        let sharp: Vec<usize> = some.iter().copied().filter(is_sharp).collect();
         let couples = (0..sharp.len()).flat_map(|i| (0..i).map(move |j| [j, i]));
         let are_of_two = |couple: &[usize; 2]| {
             let [a, b] = couple.map(|index| pair(&sharp[index]));

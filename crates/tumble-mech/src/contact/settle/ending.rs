@@ -58,7 +58,8 @@ impl Settling<'_> {
         let lowest = blur.max(LOWEST * size);
         let may_end = |position: &usize| {
             let rigid = self.equations.pairs()[self.touch.pairs[*position]].is_rigid();
-            rigid && (self.part.contains(position) || self.touch.gap[*position] <= lowest)
+            let is_there = rigid && !self.beyond.contains(position);
+            is_there && (self.part.contains(position) || self.touch.gap[*position] <= lowest)
         };
         let stands = |position: usize| self.stands(position) && self.part.contains(&position);
         // What closes now has no gap but for rounding, which late in a Zeno sequence is as large as the bounces.
@@ -149,7 +150,8 @@ impl Settling<'_> {
     /// Time until the first of all contacts but some closes, as they move now or, where that is sooner, with the forces of those, s.
     fn next_without(&self, some: &[usize], then: &DVector<f64>) -> f64 {
         let Touch { gap, rate, free, .. } = &self.touch;
-        let others = (0..self.touch.pairs.len()).filter(|position| !some.contains(position));
+        let is_other = |position: &usize| !some.contains(position) && !self.beyond.contains(position);
+        let others = (0..self.touch.pairs.len()).filter(is_other);
         let closes = |position: usize| {
             let closes = |a: f64| flight(gap[position].max(0.0), rate[position], a);
             closes(free[position]).min(closes(then[position]))

@@ -34,6 +34,10 @@ impl Settling<'_> {
             }
             let others = jump.record.others.len();
             let Some(lasting) = self.lasting(touched, zeno.as_ref(), jump)? else { continue };
+            if self.pass_ends(&lasting, touched, jump)? {
+                jump.record.others.truncate(others);
+                continue;
+            }
             let mut falling = if zeno.is_none() { self.falling_back(&lasting, touched) } else { vec![] };
             falling.retain(|position| held.insert(*position));
             if zeno.is_some() {
