@@ -1,9 +1,9 @@
 //! Bodies at random that meet each other, a polygon and walls: they do not get into each other, and their energy does not grow.
 
+use std::cell::Cell;
 use std::num::NonZero;
 use std::ops::ControlFlow;
 use std::sync::Mutex;
-use std::time::{Duration, Instant};
 
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Vector};
@@ -226,8 +226,8 @@ fn energy(run: &Run) -> Expr {
     all.reduce(|sum, next| sum + next).expect("bodies")
 }
 
-/// How long a scene may take: tens of times what most of them do.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// Steps that a scene may take: a hundred times what most of them do.
+const MOST_STEPS: usize = 100_000;
 
 /// The motion of a scene of rigid bodies, or why it was refused.
 fn motion(seed: u64, bodies: usize, until: f64) -> Result<Run, String> {
@@ -235,9 +235,11 @@ fn motion(seed: u64, bodies: usize, until: f64) -> Result<Run, String> {
     (0..4).for_each(|_| _ = draw.next());
     let model = scene(&mut draw, bodies, Law::Rigid);
     let accuracy = Accuracy::new(ACCURACY).expect("an accuracy");
-    let begun = Instant::now();
-    let patient =
-        |_| if begun.elapsed() > PATIENCE { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    let steps = Cell::new(0);
+    let patient = |_| {
+        steps.set(steps.get() + 1);
+        if steps.get() > MOST_STEPS { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
     let run = Run::refined(model.clone(), &model.parameters, until, accuracy, patient);
     run.map_err(|error| error.to_string())
 }
