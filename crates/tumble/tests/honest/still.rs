@@ -187,20 +187,23 @@ fn springs_are_pressed_by_loads_that_begin() {
     }
 }
 
-/// On a slope that yields the normal force is known to seven digits, and the friction that holds the body to all: how hard it is pressed goes out.
+/// Far up a slope that yields the normal force is known to some digits, and the friction that holds the body to all: how hard it is pressed goes out.
 #[test]
 fn friction_that_holds_is_known_better_than_what_presses() {
     let weight = 1.3_f64 * 7.9;
     for number in 1..40 {
         let slope = -0.3 + 0.013 * f64::from(number);
         let held = format!(
-            "[parameters]\nslope = \"{slope} rad\"\nhigh = \"1e-9 m\"\n\
-             [body.p]\npoint = {{}}\nmass = \"1.3 kg\"\n[body.p.start]\nat = [\"-high*sin(slope)\", \"high*cos(slope)\"]\n\
+            "[parameters]\nslope = \"{slope} rad\"\nhigh = \"1e-9 m\"\nalong = \"10.9 m\"\n\
+             [body.p]\npoint = {{}}\nmass = \"1.3 kg\"\n[body.p.start]\nat = [\"along*cos(slope) - high*sin(slope)\", \"along*sin(slope) + high*cos(slope)\"]\n\
              [surface.floor]\nthrough = [0, 0]\nslope = \"slope\"\n\
              spring = {{ stiffness = \"2.1e7 N/m\", damping = \"9.1e3 N*s/m\", friction = 0.4 }}\n"
         );
-        let [normal, friction] =
-            scene(&held).gravity("7.9 m/s^2").until("3 s").accuracy(1e-10).ask(["floor.normal", "floor.friction"]);
+        let [normal, friction] = scene(&held)
+            .gravity("7.9 m/s^2")
+            .until("3 s")
+            .accuracy(1e-10)
+            .ask(["floor.normal", "floor.friction"]);
         normal.is(weight * slope.cos(), 1e-5);
         friction.is(weight * slope.sin(), 1e-13);
     }
