@@ -29,18 +29,19 @@ impl Settling<'_> {
         if later.pairs != self.touch.pairs {
             return nothing();
         }
+        let later = Self::before(self.equations, &self.island, later, now);
         if self.is_rough() {
-            let later = Self::before(self.equations, &self.island, later, now);
             // What slips is as it is now: velocities are not those of a moment later.
             let held =
                 |some: &[usize]| later.forces(some, &self.slipping_patches(some, touched, jump)).solve();
             return later.parted(lifted, others, held).unwrap_or_else(nothing);
         }
-        let mut then = later.free.clone();
+        let mut then = later.touch.free.clone();
         if !others.is_empty() {
-            let bears = pushing(&self.pushes(others), &self.some(others, &later.free));
+            // A push that is across a surface now may lead off it then.
+            let bears = pushing(&later.pushes(others), &later.some(others, &then));
             let Some((_, push)) = bears else { return nothing() };
-            then += (self.touch.pushes() * self.whole(others, &push)).rows(0, then.len());
+            then += (later.touch.pushes() * later.whole(others, &push)).rows(0, then.len());
         }
         let is_all = |position: &&usize| {
             self.touch.free[**position].abs() <= NOTHING * then[**position].abs() && then[**position] != 0.0
