@@ -172,7 +172,7 @@ fn make_room(spots: &[Vec<Spot>], chosen: &mut Vec<Option<Spot>>, i: usize) {
         }
         let pushes = if saved < CROSSING_COST { &[f64::INFINITY][..] } else { &[f64::INFINITY, PUSH_COST] };
         for push in pushes {
-            let Some(trial) = pushed(spots, chosen, i, *spot, *push) else { continue };
+            let Some(trial) = pushed(spots, chosen, i, *spot, *push, least) else { continue };
             let cost = total(&trial);
             if cost < least - BETTER {
                 (least, *chosen) = (cost, trial);
@@ -182,16 +182,20 @@ fn make_room(spots: &[Vec<Spot>], chosen: &mut Vec<Option<Spot>>, i: usize) {
 }
 
 /// With a label at a spot: those in its way move elsewhere, and those in the way of these in their turn, each once. What it costs where
-/// another has to move is no more than `push`. Nothing where too many would move.
+/// another has to move is no more than `push`. Nothing where too many would move, or where all cost no less than `least`.
 fn pushed(
     spots: &[Vec<Spot>],
     chosen: &[Option<Spot>],
     i: usize,
     spot: Spot,
     push: f64,
+    least: f64,
 ) -> Option<Vec<Option<Spot>>> {
     let mut trial = chosen.to_vec();
     let mut pushed = 0;
+    // What all cost at least: those that are still to move stand best by themselves.
+    let own = |spot: Option<Spot>| spot.map_or(0.0, |spot| spot.cost);
+    let mut sum: f64 = chosen.iter().map(|spot| own(*spot)).sum::<f64>() - own(chosen[i]);
     let mut is_settled = vec![false; trial.len()];
     let mut moving = VecDeque::from([i]);
     while let Some(j) = moving.pop_front() {
@@ -206,14 +210,16 @@ fn pushed(
         let place = if j == i { Some(spot) } else { cheapest(&spots[j], beside) };
         trial[j] = place;
         is_settled[j] = true;
+        sum += own(place) - if j == i { 0.0 } else { own(spots[j].first().copied()) };
         for k in (0..trial.len()).filter(|k| !is_settled[*k]) {
             if place.zip(trial[k]).is_some_and(|(own, other)| conflict(&own, &other) > 0.0) {
+                sum += own(spots[k].first().copied()) - own(trial[k]);
                 trial[k] = None;
                 moving.push_back(k);
                 pushed += 1;
             }
         }
-        if pushed > MOST_PUSHED {
+        if pushed > MOST_PUSHED || sum >= least {
             return None;
         }
     }
