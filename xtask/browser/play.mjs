@@ -74,6 +74,12 @@ const covered = (page) => page.evaluate(() => {
   return names.filter((one) => handles.some((handle) => meet(letters(one), handle))).map((one) => one.textContent).join();
 });
 
+/** Handles in the picture, and what the page says can be dragged. */
+const draggable = (page) => page.evaluate(() => {
+  const notes = [...document.querySelectorAll("#play .note")].filter((one) => one.checkVisibility());
+  return { handles: document.querySelectorAll("#play .grip").length, said: notes.map((one) => one.textContent).join(" ").trim() };
+});
+
 async function play(browser, name) {
   const page = await opened(browser, report(gallery, name));
   const where = `${browser.name}, ${name}`;
@@ -89,6 +95,8 @@ async function play(browser, name) {
   const [shown, expected] = [await numbers(page), said(tumble, join(scenes, name, "scene.toml"), set)];
   check(`${where}: numbers are those of the command`, shown === expected && shown !== "", `${shown}\n-- the command:\n${expected}`);
   check(`${where}: the picture has changed`, (await picture(page)) !== before);
+  const { handles, said: howTo } = await draggable(page);
+  check(`${where}: it says that rings can be dragged where there are any`, /^Drag a ring .*arrow keys/.test(howTo) === handles > 0, `${handles} handles: ${howTo}`);
   check(`${where}: no name stands on a handle`, (await covered(page)) === "", await covered(page));
   await tables(page, name, where);
   if (name === FIRST) await look(browser, page, { knob, value, shown });

@@ -119,4 +119,20 @@ mod tests {
         );
         assert_eq!(way("/a", "/a/README.md").as_deref(), Some("README.md"));
     }
+
+    #[test]
+    fn the_footer_says_what_the_numbers_are_of() {
+        let said = |path: &str| {
+            let source =
+                Source { path: path.into(), name: "rod".to_owned(), bytes: b"abc".to_vec(), beside: vec![] };
+            let plain = |(name, value): &(Text, Text)| format!("{}: {}", name.to_plain(), value.to_plain());
+            meta(&source).iter().map(plain).collect::<Vec<_>>()
+        };
+        // FIPS 180-2, B.1.
+        let hash = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        let hash = format!("Checksum of the scene\u{2019}s file (SHA-256): {hash}");
+        let program = concat!("Made by: tumble ", env!("CARGO_PKG_VERSION"));
+        assert_eq!(said("rod/scene.toml"), ["Scene: rod", &hash, program]);
+        assert_eq!(said(""), ["Study: rod", program], "a study of a program has no file");
+    }
 }

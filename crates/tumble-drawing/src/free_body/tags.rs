@@ -120,7 +120,7 @@ impl Shown<'_> {
         let mut drawn = Occupancy::new(*self.area);
         self.add_body(&mut drawn);
         for stroke in self.strokes {
-            drawn.add_line(vec![stroke.tail, stroke.head]);
+            drawn.add_arrow([stroke.tail, stroke.head]);
             drawn.add_line(head_outline(stroke));
         }
         for (arm, _) in arms(self.body, self.view) {

@@ -1,6 +1,6 @@
 //! Places where a label may stand, with what they cost before anything else is known.
 
-use super::occupancy::beside;
+use super::occupancy::{CLEARANCE, beside};
 use crate::rect::Rect;
 
 use crate::geometry::{Point, along, dot, minus, plus, times, turned, unit};
@@ -14,8 +14,10 @@ const HEAD_TURNS: u32 = 16;
 /// Distances tried, in steps of this many pixels, and their number.
 const RING_STEP: f64 = 7.0;
 const RINGS: u32 = 4;
-/// Distance between places far away, in pixels.
+/// Distance between places far away that are beside each other, in pixels.
 const GRID: f64 = 11.0;
+/// What keeps rows from overlapping by rounding, in pixels.
+const ROUNDING: f64 = 1e-3;
 /// Cost of a step away.
 const STEP_COST: f64 = 4.0;
 /// Costs of places at the side of a shaft, and of a head, instead of the best one.
@@ -113,11 +115,29 @@ pub(crate) fn about_arc(centre: Point, points: &[Point], size: [f64; 2]) -> Vec<
 
 /// Places all over `area`, at one cost.
 pub(crate) fn anywhere(area: &Rect, [width, height]: [f64; 2], cost: f64) -> Vec<Candidate> {
-    let count = |room: f64| (room / GRID).floor().clamp(0.0, 200.0) as u32;
-    let (columns, rows) = (count(area.width - width), count(area.height - height));
+    // Every other row is as close as labels may stand above each other.
+    let row = (height + CLEARANCE) / 2.0 + ROUNDING;
+    let count = |room: f64, step: f64| (room / step).floor().clamp(0.0, 200.0) as u32;
+    let (columns, rows) = (count(area.width - width, GRID), count(area.height - height, row));
     let place = |i: u32, j: u32| {
-        let (x, y) = (area.x + GRID * f64::from(i), area.y + GRID * f64::from(j));
+        let (x, y) = (area.x + GRID * f64::from(i), area.y + row * f64::from(j));
         Candidate { place: Rect::new(x, y, width, height), cost }
     };
     (0..=columns).flat_map(|i| (0..=rows).map(move |j| place(i, j))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_other_row_is_as_close_as_labels_may_stand() {
+        let size = [40.0, 17.0];
+        let mut rows: Vec<f64> =
+            anywhere(&Rect::new(0.0, 0.0, 200.0, 200.0), size, 0.0).iter().map(|one| one.place.y).collect();
+        rows.dedup();
+        let first = Rect::new(0.0, rows[0], size[0], size[1]).grown(CLEARANCE);
+        let shared = |row: usize| first.overlap(&Rect::new(0.0, rows[row], size[0], size[1]));
+        assert!(shared(1) > 0.0 && shared(2) == 0.0 && rows[2] - rows[0] < 17.0 + CLEARANCE + 0.01);
+    }
 }

@@ -1,5 +1,7 @@
 //! Choosing places for all labels of a panel together.
 
+use std::collections::VecDeque;
+
 use super::occupancy::{CLEARANCE, Occupancy, covers, lines_cross};
 use crate::rect::Rect;
 use crate::svg::{Element, line};
@@ -26,8 +28,12 @@ const COVER_WEIGHT: f64 = 6.0;
 /// What standing nearer to something else costs, or nearly so.
 const RIVAL_COST: f64 = 250.0;
 const NEARLY: f64 = 5.0;
-/// What two labels that overlap cost, and a leader that touches a label, which would seem a letter of it.
-const OVERLAP_COST: f64 = 900.0;
+/// What two labels that overlap cost, and a leader that touches a label, which would seem a letter of it: more than crossing any arrows.
+const OVERLAP_COST: f64 = 4000.0;
+/// What it costs that another label has to move, while it is sought where one may stand.
+const PUSH_COST: f64 = 20.0;
+/// Labels that may have to move for one.
+const MOST_PUSHED: usize = 6;
 /// Points of what a label belongs to at which a leader may end, but for the nearest.
 const PARTS: usize = 6;
 /// Room kept between a leader and what it does not belong to, in pixels.
@@ -135,6 +141,11 @@ fn finished(tag: &Tag, spot: Spot, drawn: &Occupancy) -> Placed {
 
 /// The best spot of label `i` beside the others' present ones.
 fn best(spots: &[Spot], chosen: &[Option<Spot>], i: usize) -> Option<Spot> {
+    cheapest(spots, |spot| crowding(spot, chosen, i))
+}
+
+/// The spot that costs least with what it costs beside others.
+fn cheapest(spots: &[Spot], beside: impl Fn(&Spot) -> f64) -> Option<Spot> {
     let mut best: Option<(f64, Spot)> = None;
     for spot in spots {
         let least = best.map_or(f64::INFINITY, |(cost, _)| cost);
@@ -142,7 +153,7 @@ fn best(spots: &[Spot], chosen: &[Option<Spot>], i: usize) -> Option<Spot> {
         if spot.cost >= least {
             break;
         }
-        let cost = spot.cost + crowding(spot, chosen, i);
+        let cost = spot.cost + beside(spot);
         if cost < least {
             best = Some((cost, *spot));
         }
@@ -155,21 +166,64 @@ fn make_room(spots: &[Vec<Spot>], chosen: &mut Vec<Option<Spot>>, i: usize) {
     let mut least = total(chosen);
     for spot in &spots[i] {
         // What it could save is no more than what it costs now.
-        if chosen[i].is_none_or(|now| now.cost + crowding(&now, chosen, i) <= spot.cost) {
+        let saved = chosen[i].map_or(0.0, |now| now.cost + crowding(&now, chosen, i) - spot.cost);
+        if saved <= 0.0 {
             break;
         }
-        let mut trial = chosen.clone();
-        trial[i] = Some(*spot);
-        let is_in_its_way =
-            |j: &usize| *j != i && chosen[*j].is_some_and(|other| conflict(spot, &other) > 0.0);
-        for j in (0..spots.len()).filter(is_in_its_way) {
-            trial[j] = best(&spots[j], &trial, j);
-        }
-        let cost = total(&trial);
-        if cost < least - BETTER {
-            (least, *chosen) = (cost, trial);
+        let pushes = if saved < CROSSING_COST { &[f64::INFINITY][..] } else { &[f64::INFINITY, PUSH_COST] };
+        for push in pushes {
+            let Some(trial) = pushed(spots, chosen, i, *spot, *push, least) else { continue };
+            let cost = total(&trial);
+            if cost < least - BETTER {
+                (least, *chosen) = (cost, trial);
+            }
         }
     }
+}
+
+/// With a label at a spot: those in its way move elsewhere, and those in the way of these in their turn, each once. What it costs where
+/// another has to move is no more than `push`. Nothing where too many would move, or where all cost no less than `least`.
+fn pushed(
+    spots: &[Vec<Spot>],
+    chosen: &[Option<Spot>],
+    i: usize,
+    spot: Spot,
+    push: f64,
+    least: f64,
+) -> Option<Vec<Option<Spot>>> {
+    let mut trial = chosen.to_vec();
+    let mut pushed = 0;
+    // What all cost at least: those that are still to move stand best by themselves.
+    let own = |spot: Option<Spot>| spot.map_or(0.0, |spot| spot.cost);
+    let mut sum: f64 = chosen.iter().map(|spot| own(*spot)).sum::<f64>() - own(chosen[i]);
+    let mut is_settled = vec![false; trial.len()];
+    let mut moving = VecDeque::from([i]);
+    while let Some(j) = moving.pop_front() {
+        let beside = |own: &Spot| -> f64 {
+            let others = trial.iter().enumerate().filter(|(k, _)| *k != j);
+            let cost = |(k, other): (usize, &Spot)| match conflict(own, other) {
+                cost if is_settled[k] => cost,
+                cost => cost.min(push),
+            };
+            others.filter_map(|(k, other)| Some((k, other.as_ref()?))).map(cost).sum()
+        };
+        let place = if j == i { Some(spot) } else { cheapest(&spots[j], beside) };
+        trial[j] = place;
+        is_settled[j] = true;
+        sum += own(place) - if j == i { 0.0 } else { own(spots[j].first().copied()) };
+        for k in (0..trial.len()).filter(|k| !is_settled[*k]) {
+            if place.zip(trial[k]).is_some_and(|(own, other)| conflict(&own, &other) > 0.0) {
+                sum += own(spots[k].first().copied()) - own(trial[k]);
+                trial[k] = None;
+                moving.push_back(k);
+                pushed += 1;
+            }
+        }
+        if pushed > MOST_PUSHED || sum >= least {
+            return None;
+        }
+    }
+    Some(trial)
 }
 
 /// What all labels cost where they are.
@@ -236,7 +290,7 @@ fn led(tag: &Tag, place: &Rect, nearest: [Point; 2], drawn: &Occupancy) -> ([Poi
         let [from, to] = shortened(ends);
         let longer =
             DISTANCE_COST * (length(minus(ends[1], ends[0])) - length(minus(nearest[1], nearest[0])));
-        ([from, to], CROSSING_COST * drawn.touched_by(from, to, LEADER_APART) as f64 + longer)
+        ([from, to], CROSSING_COST * drawn.touched_by(from, to, LEADER_APART) + longer)
     };
     let first = cost(nearest);
     if first.1 == 0.0 {
@@ -289,6 +343,18 @@ mod tests {
     }
 
     #[test]
+    fn labels_that_make_room_push_others_on() {
+        let spots = [
+            vec![spot(100.0, 0.0), spot(200.0, 5.0)],
+            vec![spot(0.0, 0.0), spot(105.0, 1.0), spot(300.0, 300.0)],
+            vec![spot(5.0, 0.0), spot(400.0, 90.0)],
+        ];
+        let mut chosen = vec![Some(spots[0][0]), Some(spots[1][0]), Some(spots[2][1])];
+        make_room(&spots, &mut chosen, 2);
+        assert_eq!(chosen, [Some(spots[0][1]), Some(spots[1][1]), Some(spots[2][0])]);
+    }
+
+    #[test]
     fn a_leader_ends_where_it_is_in_nothings_way() {
         let place = Rect::new(0.0, 0.0, 20.0, 10.0);
         let owner = vec![[10.0, 60.0], [60.0, 60.0]];
@@ -303,7 +369,7 @@ mod tests {
         assert_eq!(drawn.crossed_by(straight[0], straight[1]), 0);
         let (leader, cost) = led(&tag, &place, ends, &drawn);
         assert!(leader[1][0] > 15.0 && cost < CROSSING_COST, "{leader:?}");
-        assert_eq!(drawn.touched_by(leader[0], leader[1], LEADER_APART), 0);
+        assert_eq!(drawn.touched_by(leader[0], leader[1], LEADER_APART), 0.0);
     }
 
     #[test]

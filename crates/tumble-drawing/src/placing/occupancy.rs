@@ -10,15 +10,34 @@ pub(crate) const CLEARANCE: f64 = 3.0;
 const LINE_COST: f64 = 60.0;
 /// What lying on a face costs.
 const FACE_COST: f64 = 5.0;
+/// As how many lines an arrow counts for a leader that crosses it: one that meets an arrow seems to point at it.
+const ARROW: f64 = 4.0;
+/// As how often a leader counts that goes along a line, in which it is lost, and the sine of the angle below which it does.
+const ALONG: f64 = 3.0;
+const ALONG_SINE: f64 = 0.25;
 /// What leaving the area costs.
 const OUTSIDE_COST: f64 = 1e6;
+
+/// A line that is drawn.
+#[derive(Clone, Debug)]
+struct Line {
+    points: Vec<[f64; 2]>,
+    /// As how many it counts for a leader that crosses it.
+    weight: f64,
+}
+
+impl Line {
+    fn pieces(&self) -> impl Iterator<Item = [[f64; 2]; 2]> {
+        self.points.windows(2).map(|w| [w[0], w[1]])
+    }
+}
 
 /// The occupied part of a page.
 #[derive(Clone, Debug)]
 pub(crate) struct Occupancy {
     area: Rect,
     boxes: Vec<Rect>,
-    lines: Vec<Vec<[f64; 2]>>,
+    lines: Vec<Line>,
     faces: Vec<Vec<[f64; 2]>>,
 }
 
@@ -34,8 +53,13 @@ impl Occupancy {
     }
 
     /// Marks a polyline as taken.
-    pub(crate) fn add_line(&mut self, line: Vec<[f64; 2]>) {
-        self.lines.push(line);
+    pub(crate) fn add_line(&mut self, points: Vec<[f64; 2]>) {
+        self.lines.push(Line { points, weight: 1.0 });
+    }
+
+    /// Marks the shaft of an arrow as taken.
+    pub(crate) fn add_arrow(&mut self, shaft: [[f64; 2]; 2]) {
+        self.lines.push(Line { points: shaft.to_vec(), weight: ARROW });
     }
 
     /// Marks the inside of a closed outline as taken; its rim is a line of its own.
@@ -55,12 +79,12 @@ impl Occupancy {
 
     /// Line pieces that the straight line from `a` to `b` crosses.
     pub(crate) fn crossed_by(&self, a: [f64; 2], b: [f64; 2]) -> usize {
-        let pieces = self.lines.iter().flat_map(|line| line.windows(2));
-        pieces.filter(|w| lines_cross([a, b], [w[0], w[1]])).count()
+        self.lines.iter().flat_map(Line::pieces).filter(|piece| lines_cross([a, b], *piece)).count()
     }
 
-    /// Line pieces that the straight line from `a` to `b` crosses, or comes nearer to than `apart`.
-    pub(crate) fn touched_by(&self, a: [f64; 2], b: [f64; 2], apart: f64) -> usize {
+    /// How often the straight line from `a` to `b` crosses lines, or comes nearer to one than `apart`, each by its weight: once for
+    /// pieces in a row, however fine a curve is cut, and more where it goes along one.
+    pub(crate) fn touched_by(&self, a: [f64; 2], b: [f64; 2], apart: f64) -> f64 {
         let [x, y] = [0, 1].map(|k| (a[k].min(b[k]) - apart, a[k].max(b[k]) + apart));
         // Most are nowhere near.
         let is_past = |p: [f64; 2], q: [f64; 2]| {
@@ -69,8 +93,18 @@ impl Occupancy {
             };
             is_past(0, x) || is_past(1, y)
         };
-        let pieces = self.lines.iter().flat_map(|line| line.windows(2)).map(|w| [w[0], w[1]]);
-        pieces.filter(|[p, q]| !is_past(*p, *q) && distance([a, b], [*p, *q]) < apart).count()
+        let is_touched = |[p, q]: [[f64; 2]; 2]| !is_past(p, q) && distance([a, b], [p, q]) < apart;
+        let counts = |piece: [[f64; 2]; 2]| match (is_touched(piece), is_along([a, b], piece)) {
+            (false, _) => 0.0,
+            (true, false) => 1.0,
+            (true, true) => ALONG,
+        };
+        let times = |line: &Line| {
+            let counts: Vec<f64> = line.pieces().map(counts).collect();
+            let runs = counts.chunk_by(|one, next| (*one > 0.0) == (*next > 0.0));
+            line.weight * runs.map(|run| run.iter().copied().fold(0.0, f64::max)).sum::<f64>()
+        };
+        self.lines.iter().map(times).sum()
     }
 
     /// What it costs to draw over the rectangle: pixels of overlap with
@@ -85,9 +119,9 @@ impl Occupancy {
 
     /// Line pieces that meet the rectangle.
     fn crossings(&self, place: &Rect) -> usize {
-        let pieces = self.lines.iter().flat_map(|line| line.windows(2));
-        let points = self.lines.iter().filter(|line| line.len() == 1).map(|line| line[0]);
-        pieces.filter(|w| place.meets_line(w[0], w[1])).count()
+        let pieces = self.lines.iter().flat_map(Line::pieces);
+        let points = self.lines.iter().filter(|line| line.points.len() == 1).map(|line| line.points[0]);
+        pieces.filter(|[p, q]| place.meets_line(*p, *q)).count()
             + points.filter(|p| place.contains(*p)).count()
     }
 }
@@ -115,6 +149,12 @@ pub(crate) fn lines_cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool 
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }
 
+/// Whether two pieces of straight lines have nearly one direction.
+fn is_along([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    let (one, other) = (minus(b, a), minus(d, c));
+    (one[0] * other[1] - one[1] * other[0]).abs() < ALONG_SINE * length(one) * length(other)
+}
+
 /// Distance of two pieces of straight lines.
 fn distance([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> f64 {
     if lines_cross([a, b], [c, d]) {
@@ -139,6 +179,38 @@ mod tests {
 
     fn page() -> Occupancy {
         Occupancy::new(Rect::new(0.0, 0.0, 200.0, 200.0))
+    }
+
+    #[test]
+    fn a_curve_is_crossed_as_often_as_it_is_met_however_fine_it_is_cut() {
+        let round = |steps: u32| {
+            let at = |i: u32| (std::f64::consts::TAU * f64::from(i) / f64::from(steps)).sin_cos();
+            (0..=steps).map(|i| [100.0 + 25.0 * at(i).1, 100.0 + 25.0 * at(i).0]).collect::<Vec<_>>()
+        };
+        for steps in [12, 60, 600] {
+            let mut page = page();
+            page.add_line(round(steps));
+            assert_eq!(page.touched_by([90.0, 95.0], [150.0, 95.0], 2.0), 1.0, "from within");
+            assert_eq!(page.touched_by([50.0, 95.0], [150.0, 95.0], 2.0), 2.0, "across");
+        }
+    }
+
+    #[test]
+    fn a_leader_along_a_line_counts_more_than_one_across() {
+        let mut page = page();
+        page.add_line(vec![[50.0, 100.0], [150.0, 100.0]]);
+        assert_eq!(page.touched_by([60.0, 101.0], [90.0, 103.0], 2.0), ALONG);
+        assert_eq!(page.touched_by([60.0, 90.0], [90.0, 110.0], 2.0), 1.0);
+    }
+
+    #[test]
+    fn an_arrow_counts_more_than_other_lines() {
+        let mut page = page();
+        page.add_line(vec![[100.0, 0.0], [100.0, 200.0]]);
+        page.add_line(vec![[120.0, 0.0], [120.0, 200.0]]);
+        page.add_arrow([[50.0, 0.0], [50.0, 200.0]]);
+        let touched = |from: f64, to: f64| page.touched_by([from, 90.0], [to, 90.0], 2.0);
+        assert!(touched(30.0, 70.0) > touched(80.0, 140.0));
     }
 
     #[test]

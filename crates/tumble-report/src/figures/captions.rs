@@ -111,10 +111,13 @@ pub(crate) fn curves(figure: &CurveFigure) -> Text {
 /// What happens where there are dashed lines.
 fn dashed(marks: &[Mark]) -> Label {
     let end_of_digits = Label::plain(END_OF_DIGITS);
-    let mut events: Vec<&Label> = vec![];
-    for Mark { label, .. } in marks.iter().filter(|mark| mark.label != end_of_digits) {
+    let (mut events, mut places): (Vec<&Label>, Vec<f64>) = (vec![], vec![]);
+    for Mark { label, at } in marks.iter().filter(|mark| mark.label != end_of_digits) {
         if !events.contains(&label) {
             events.push(label);
+        }
+        if !places.contains(at) {
+            places.push(*at);
         }
     }
     let is_short = events.iter().map(|label| label.to_plain().len()).sum::<usize>() <= MOST_SIGNS;
@@ -122,7 +125,8 @@ fn dashed(marks: &[Mark]) -> Label {
     match &events[..] {
         [] => Label::default(),
         [only] if is_short => {
-            Label::plain(" The dashed line marks ").then(quoted(only)).then(Label::plain("."))
+            let words = if places.len() > 1 { " The dashed lines mark " } else { " The dashed line marks " };
+            Label::plain(words).then(quoted(only)).then(Label::plain("."))
         }
         [before @ .., last] if is_short && events.len() <= MOST_EVENTS => {
             let before = before
@@ -199,5 +203,7 @@ mod tests {
         assert_eq!(of(&["apex", "apex"]), " The dashed line marks “apex”.");
         assert_eq!(of(&["hit", "apex"]), " The dashed lines mark “hit” and “apex”.");
         assert_eq!(of(&["a", "b", "c", "d"]), " The dashed lines mark events.");
+        let twice = [1.0, 2.0].map(|at| Mark { label: Label::plain("lowest"), at });
+        assert_eq!(dashed(&twice).to_plain(), " The dashed lines mark “lowest”.");
     }
 }

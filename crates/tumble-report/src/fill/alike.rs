@@ -134,7 +134,8 @@ fn held(study: &Study, load: &str) -> String {
     }
 }
 
-/// Names in a row; of many, from where to where they are numbered, or the first two and the last. Corners are told by their numbers: `corners 1 and 2`.
+/// Names in a row; of many, from where to where they are numbered, and where these are still many the first two and the last. Corners are
+/// told by their numbers: `corners 1 and 2`.
 pub(crate) fn listed(names: &[String]) -> String {
     let number = |name: &String| name.strip_prefix("corner ").map(str::to_owned);
     if names.len() > 1
@@ -142,23 +143,39 @@ pub(crate) fn listed(names: &[String]) -> String {
     {
         return format!("corners {}", listed(&numbers));
     }
-    match names {
+    let names = if names.len() > MOST_NAMED { rows(names) } else { names.to_vec() };
+    match &names[..] {
         [] => String::new(),
         [only] => only.clone(),
-        [first, second, .., last] if names.len() > MOST_NAMED => {
-            row(names).unwrap_or_else(|| format!("{first}, {second}, …, {last}"))
-        }
+        [first, second, .., last] if names.len() > MOST_NAMED => format!("{first}, {second}, …, {last}"),
         [before @ .., last] => format!("{} and {last}", before.join(", ")),
     }
 }
 
+/// Names with those that are in a row as one.
+fn rows(names: &[String]) -> Vec<String> {
+    let runs = names.chunk_by(|a, b| follows(a, b));
+    runs.flat_map(|run| row(run).filter(|_| run.len() > 2).map_or_else(|| run.to_vec(), |row| vec![row]))
+        .collect()
+}
+
 /// `b1 to b15` of names that one number tells apart and that leave none out.
 fn row(names: &[String]) -> Option<String> {
-    let (first, last) = (names.first()?, names.last()?);
-    let stem = first.trim_end_matches(|c: char| c.is_ascii_digit());
-    let numbers = names.iter().map(|name| name.strip_prefix(stem)?.parse().ok());
-    let numbers: Vec<u32> = numbers.collect::<Option<_>>()?;
-    numbers.windows(2).all(|pair| pair[1] == pair[0] + 1).then(|| format!("{first} to {last}"))
+    let is_row =
+        numbered(names.first()?).is_some() && names.windows(2).all(|pair| follows(&pair[0], &pair[1]));
+    is_row.then(|| format!("{} to {}", names[0], names[names.len() - 1]))
+}
+
+/// Whether the second of two names has the next number.
+fn follows(one: &str, next: &str) -> bool {
+    numbered(one)
+        .is_some_and(|(stem, number)| numbered(next) == number.checked_add(1).map(|next| (stem, next)))
+}
+
+/// The stem of a name, and the number that it ends with.
+fn numbered(name: &str) -> Option<(&str, u32)> {
+    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    Some((stem, name[stem.len()..].parse().ok()?))
 }
 
 #[cfg(test)]
@@ -204,8 +221,12 @@ mod tests {
         assert_eq!(listed(&names(15)), "b1 to b15");
         assert_eq!(
             listed(&names(15)[1..].iter().chain(&names(1)).cloned().collect::<Vec<_>>()),
-            "b2, b3, …, b1"
+            "b2 to b15 and b1"
         );
+        let links = [names(6), vec!["the stone".to_owned()]].concat();
+        assert_eq!(listed(&links), "b1 to b6 and the stone");
+        let others = ["a", "b", "c", "d", "e"].map(str::to_owned);
+        assert_eq!(listed(&others), "a, b, …, e");
         assert_eq!(listed(&["corner 1", "corner 2"].map(str::to_owned)), "corners 1 and 2");
     }
 }

@@ -184,14 +184,14 @@ fn shown(study: &Study, names: &Names, check: &CheckResult) -> CheckRow {
         true => Text::from(" at ").and(quantity(check.at, "s")),
         false => Text::default(),
     };
-    let degrees = if unit == "rad" { in_degrees(check.expected) } else { Text::default() };
+    let degrees = in_degrees(check.expected, MOST_DIGITS as usize, unit);
     CheckRow {
         what: what.and(at),
         expected: precise(without_rounding(check), unit).and(degrees),
         found: match check.open() {
             _ if !check.is_reached() => check.status().into(),
             Some(open) => open.into(),
-            None => found(check).and(error(check)),
+            None => found(check),
         },
         within: precise(check.within, unit),
         passed: check.holds,
@@ -200,17 +200,19 @@ fn shown(study: &Study, names: &Names, check: &CheckResult) -> CheckRow {
     }
 }
 
-/// What was found, to the place of its error: digits beyond that say nothing.
+/// What was found, with its error, to the place of that: digits beyond it say nothing.
 fn found(check: &CheckResult) -> Text {
-    match check.error {
-        Some(error) if error > 0.0 && check.found.abs() <= error => precise(0.0, &check.unit),
+    let unit = check.unit.as_str();
+    let (value, degrees) = match check.error {
+        Some(error) if error > 0.0 && check.found.abs() <= error => (precise(0.0, unit), Text::default()),
         Some(error) if error > 0.0 && error.is_finite() => {
             let place = |value: f64| value.abs().log10().floor();
-            let digits = (place(check.found) - place(error) + 1.0).clamp(1.0, MOST_DIGITS);
-            quantity_to(check.found, digits as usize, &check.unit)
+            let digits = (place(check.found) - place(error) + 1.0).clamp(1.0, MOST_DIGITS) as usize;
+            (quantity_to(check.found, digits, unit), in_degrees(check.found, digits, unit))
         }
-        _ => precise(check.found, &check.unit),
-    }
+        _ => (precise(check.found, unit), in_degrees(check.found, MOST_DIGITS as usize, unit)),
+    };
+    value.and(error(check)).and(degrees)
 }
 
 /// By how much it may be off.
@@ -270,13 +272,32 @@ mod tests {
 
     #[test]
     fn degrees_stand_beside_radians() {
-        let names = [in_degrees(std::f64::consts::FRAC_PI_6), in_degrees(1.2), in_degrees(0.0)];
-        assert_eq!(names.map(|shown| shown.to_plain()), ["\u{a0}(30°)", "\u{a0}(68.75°)", ""]);
+        let shown = |value: f64, digits: usize, unit: &str| in_degrees(value, digits, unit).to_plain();
+        assert_eq!(shown(std::f64::consts::FRAC_PI_6, 9, "rad"), "\u{a0}(30°)");
+        assert_eq!([shown(1.2, 9, "rad"), shown(1.2, 2, "rad")], ["\u{a0}(68.75°)", "\u{a0}(69°)"]);
+        let nothing =
+            [shown(0.0, 9, "rad"), shown(f64::NAN, 9, "rad"), shown(1.2, 9, "rad/s"), shown(1.2, 9, "")];
+        assert_eq!(nothing, [""; 4]);
+    }
+
+    #[test]
+    fn degrees_stand_beside_an_angle_that_was_found() {
+        let shown = |value: f64, error: Option<f64>, unit: &str| {
+            found(&CheckResult { unit: unit.to_owned(), ..check(value, 1.0, error) }).to_plain()
+        };
+        assert_eq!(shown(1.2, Some(0.001), "rad"), "1.2\u{a0}rad ± 0.001\u{a0}(68.75°)");
+        assert_eq!(shown(1.2, Some(0.02), "rad"), "1.2\u{a0}rad ± 0.02\u{a0}(68.8°)");
+        assert_eq!(shown(1.5, None, "rad"), "1.5\u{a0}rad\u{a0}(85.94°)");
+        assert_eq!(shown(1e-12, Some(0.001), "rad"), "0\u{a0}rad ± 0.001");
+        assert_eq!(shown(68.75, Some(0.001), "deg"), "68.75° ± 0.001");
     }
 
     #[test]
     fn what_was_found_is_shown_to_the_place_of_its_error() {
-        let shown = |value: f64, error: Option<f64>| found(&check(value, 1.0, error)).to_plain();
+        let shown = |value: f64, error: Option<f64>| {
+            let found = found(&check(value, 1.0, error)).to_plain();
+            found.split(" ± ").next().map(str::to_owned).unwrap_or_default()
+        };
         assert_eq!(shown(1.024_690_108_640_719_6, Some(1e-14)), "1.02469010864072");
         assert_eq!(shown(1.024_690_108_640_719_6, Some(1.6e-14)), "1.02469010864072");
         assert_eq!(shown(6.93e-16, Some(5e-12)), "0");

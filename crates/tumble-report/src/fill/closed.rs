@@ -294,7 +294,7 @@ fn line(names: &Names, symbol: &Symbol, powers: &[f64], time: &Math) -> Typeset 
     // One that stays.
     let is_turned = is_angle(symbol) && symbol.dimension == Dimension::NONE;
     let stays = is_turned && powers.iter().skip(1).all(|value| *value == 0.0);
-    let degrees = if stays { in_degrees(powers[0]).to_plain() } else { String::new() };
+    let degrees = if stays { in_degrees(powers[0], DIGITS, "rad").to_plain() } else { String::new() };
     let degrees = (!degrees.is_empty()).then_some(Math::Text(degrees));
     math(&Math::Row(left.into_iter().chain(Math::terms(terms)).chain(degrees).collect()))
 }

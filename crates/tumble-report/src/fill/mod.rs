@@ -112,3 +112,6 @@ pub fn animation(
 ) -> Result<tumble_drawing::Animation, CaseError> {
     animation::of(study, &cases.iter().collect::<Vec<_>>())
 }
+
+#[cfg(test)]
+mod tests;

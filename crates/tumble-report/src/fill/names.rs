@@ -19,7 +19,7 @@ pub(super) const MASS: &str = "M";
 const GRAVITY: &str = "g";
 /// Digits of numbers in running text.
 const DIGITS: usize = 6;
-/// Digits of degrees that stand beside radians.
+/// Digits of degrees that stand beside radians, at most.
 const DEGREES: usize = 4;
 
 #[derive(Clone)]
@@ -261,12 +261,12 @@ pub(crate) fn quantity_to(value: f64, digits: usize, unit: &str) -> Text {
     }
 }
 
-/// An angle in degrees, as it stands beside what it is in radians: `(20°)`; nothing beside none.
-pub(super) fn in_degrees(radians: f64) -> Text {
-    if radians == 0.0 || !radians.is_finite() {
+/// What stands beside a value in radians: degrees, `(20°)`, to as many digits as it has itself, at most four; nothing beside others, or none.
+pub(super) fn in_degrees(value: f64, digits: usize, unit: &str) -> Text {
+    if unit != "rad" || value == 0.0 || !value.is_finite() {
         return Text::default();
     }
-    Text::from("\u{a0}(").and(quantity_to(radians.to_degrees(), DEGREES, "deg")).and(")")
+    Text::from("\u{a0}(").and(quantity_to(value.to_degrees(), digits.clamp(1, DEGREES), "deg")).and(")")
 }
 
 /// What the scene's parameters and the bodies' motion are shown as.

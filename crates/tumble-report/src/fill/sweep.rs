@@ -4,7 +4,7 @@ use tumble_drawing::{CurveFigure, Label, Range};
 use tumble_scene::{Question, Study};
 
 use super::findings::with_digits;
-use super::names::{quantity, quantity_to};
+use super::names::{in_degrees, quantity, quantity_to};
 use crate::figures::{captions, case_label, finds};
 use crate::report::{Chart, Column, Picture, Text};
 use crate::results::{Case, Equal, FAMILY, FindResult, Located, Optimum, Runs, Survey, count, digits};
@@ -63,11 +63,12 @@ fn located_words(study: &Study, located: &Located) -> Text {
     let which = if located.word() == "least" { "smallest, " } else { "largest, " };
     let words = Text::from(which).and(value);
     if let Some(Equal { runs, first, last }) = place.equal {
-        let runs = words.and(format!(", in {runs} runs, the first with ")).and(name.clone()).and(" = ");
+        let runs =
+            words.and(format!(", in {runs} runs, the first with ")).and(name.clone()).and("\u{a0}=\u{a0}");
         let first = runs.and(quantity(first, parameter_unit)).and(", the last with ");
-        return first.and(name).and(" = ").and(quantity(last, parameter_unit));
+        return first.and(name).and("\u{a0}=\u{a0}").and(quantity(last, parameter_unit));
     }
-    let words = words.and(", at ").and(name).and(" = ");
+    let words = words.and(", at ").and(name).and("\u{a0}=\u{a0}");
     words.and(place_words(place, parameter_unit))
 }
 
@@ -142,7 +143,10 @@ pub(super) fn find_cell(find: &FindResult) -> Text {
         _ if !find.is_reached() => find.status().into(),
         (Some(open), _) => open.into(),
         (None, None) => quantity(find.value, "").and(" (no digit is known)"),
-        (None, Some(error)) => quantity_to(find.value, digits::digits(find.value, error).clamp(1, READ), ""),
+        (None, Some(error)) => {
+            let known = digits::digits(find.value, error).clamp(1, READ);
+            quantity_to(find.value, known, "").and(in_degrees(find.value, known, &find.unit))
+        }
     }
 }
 

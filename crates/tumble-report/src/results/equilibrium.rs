@@ -110,10 +110,15 @@ pub(crate) fn tables(found: &Equilibrium) -> Vec<PrintedTable> {
             table.row(std::iter::once(Text::from(row.name.to_owned())).chain(cells).collect())
         })
     };
-    let mut poses = table("Equilibrium near the start", "body", "Body", ["x (m)", "y (m)", "angle (rad)"]);
+    let mut poses = table(
+        "The bodies are in equilibrium here, near the start.",
+        "body",
+        "Body",
+        ["x (m)", "y (m)", "angle (rad)"],
+    );
     poses.notes.push(format!("Small motions about it: {}.", small_motions(&found.small_motions)).into());
     let reactions = table(
-        "What holds it there",
+        "These forces and torques hold them there.",
         "name",
         "Joint or contact",
         ["along x (N)", "along y (N)", "torque (N m)"],

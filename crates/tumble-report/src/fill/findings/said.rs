@@ -1,9 +1,10 @@
 //! Sentences of findings: several runs that differ in a value alone are one sentence.
 
 use crate::figures::case_label;
-use crate::fill::names::{quantity, quantity_to};
+use crate::fill::names::{in_degrees, quantity, quantity_to};
 use crate::report::Text;
 use crate::results::{Case, count, digits};
+use tumble_drawing::Label;
 
 /// Digits that are read.
 const READ: usize = 6;
@@ -77,6 +78,13 @@ pub(super) fn together(runs: &[(&Case, Vec<Said>)]) -> Vec<Text> {
     found.iter().map(|same| sentence(same, runs.len())).collect()
 }
 
+/// What is different about a run, in a line: `T = 0.5 s`.
+fn run_label(case: &Case) -> Label {
+    let mut label = case_label(case);
+    label.runs.iter_mut().for_each(|run| run.text = run.text.replace(" = ", "\u{a0}=\u{a0}"));
+    label
+}
+
 /// One sentence for all runs of one finding.
 fn sentence(same: &[(&Case, &Said)], runs: usize) -> Text {
     let first = same[0].1;
@@ -85,12 +93,12 @@ fn sentence(same: &[(&Case, &Said)], runs: usize) -> Text {
     let said = match (is_one, same.len() == runs) {
         (true, true) => whole(first.value.clone()),
         (true, false) => {
-            let labels = listed(same.iter().map(|(case, _)| case_label(case).into()), "; ");
+            let labels = listed(same.iter().map(|(case, _)| run_label(case).into()), "; ");
             whole(first.value.clone()).and(" (").and(labels).and(")")
         }
         (false, _) => {
             let value =
-                |(case, said): &(&Case, &Said)| said.value.clone().and(" (").and(case_label(case)).and(")");
+                |(case, said): &(&Case, &Said)| said.value.clone().and(" (").and(run_label(case)).and(")");
             whole(listed(same.iter().map(value), "; "))
         }
     };
@@ -108,15 +116,31 @@ pub(in crate::fill) const ALL_VERIFIED: &str = "Values are rounded to at most si
 const UNKNOWN: &str = "(no digit is known)";
 
 /// A value to its verified digits, at most so many as are read; where there are fewer, how many. What is less than its error is zero.
+/// Radians are degrees too.
 pub(in crate::fill) fn with_digits(value: f64, error: Option<f64>, unit: &str) -> Text {
     let Some(error) = error else { return quantity(value, unit).and(format!(" {UNKNOWN}")) };
     if error == 0.0 {
-        return quantity(value, unit);
+        return quantity(value, unit).and(in_degrees(value, READ, unit));
     }
     if value.abs() <= error {
         return quantity(0.0, unit);
     }
     let held = digits::digits(value, error);
-    let shown = quantity_to(value, held.clamp(1, READ), unit);
+    let known = held.clamp(1, READ);
+    let shown = quantity_to(value, known, unit).and(in_degrees(value, known, unit));
     if held < READ { shown.and(format!(" ({})", count(held as u64, "digit"))) } else { shown }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn radians_that_were_found_are_degrees_too() {
+        let shown = |error: f64, unit: &str| with_digits(0.5, Some(error), unit).to_plain();
+        assert_eq!(shown(0.0, "rad"), "0.5\u{a0}rad\u{a0}(28.65°)");
+        assert_eq!(shown(1e-9, "rad"), "0.5\u{a0}rad\u{a0}(28.65°)");
+        assert_eq!(shown(4e-3, "rad"), "0.5\u{a0}rad\u{a0}(29°) (2 digits)");
+        assert_eq!(shown(1e-9, "rad/s"), "0.5\u{a0}rad/s");
+    }
 }

@@ -204,3 +204,11 @@ fn of_two_bodies_the_one_is_named_whose_speed_a_contact_changes() {
     let found = found_in("24-glancing-disks");
     assert!(has(&found, "Disk 1 in its first contact with disk 2 changes its speed from 2 to"), "{found:?}");
 }
+
+/// Half a period and a whole one after it was let go, it is as high as then.
+#[test]
+fn a_height_that_is_reached_again_is_told_once() {
+    let found = found_in("26-ball-in-a-bowl");
+    let words = "reaches its greatest height, \u{2212}0.225 m at 0.854396 s, at 1.70879 s, and once more.";
+    assert!(has(&found, words), "{found:?}");
+}

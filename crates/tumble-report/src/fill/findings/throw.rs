@@ -38,7 +38,7 @@ pub(super) fn apex(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
         (false, false) => "highest points, ",
     };
     let one = |(index, (height, time)): (usize, &(Text, Text))| match are_alike && index > 0 {
-        true => time.clone(),
+        true => Text::from("at ").and(time.clone()),
         false => height.clone().and(" at ").and(time.clone()),
     };
     let value = listed.iter().enumerate().map(one).reduce(|all, next| all.and(", ").and(next));
