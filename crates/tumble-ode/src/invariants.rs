@@ -23,9 +23,8 @@ const ALLOWED: f64 = 1e-14;
 const ALLOWED_TO_FOLLOW: f64 = 1e-7;
 /// A step whose own error may be this large may move an invariant by this part of it: it is projected out at its end.
 const OF_TOLERANCE: f64 = 0.1;
-/// What is zero within this part of what is allowed, or within so many times what rounding of the states makes of it, is as good as zero.
+/// Below this part of what is allowed, the function's own rounding would be projected into the states.
 const WORTH_IT: f64 = 0.1;
-const ROUNDED: f64 = 2.0;
 /// A state is too coarse if its spacing moves a function by this part of its scale: ten of them are what is allowed.
 const TOO_COARSE: f64 = 0.1 * ALLOWED;
 /// It is then moved less than others by the square of this.
@@ -84,6 +83,8 @@ pub(crate) struct Slack<'a> {
     pub(crate) off: &'a [f64],
     /// Its length.
     pub(crate) length: f64,
+    /// Part of each state that rounding may have put it off by.
+    pub(crate) rounding: f64,
 }
 
 impl Rows {
@@ -130,11 +131,6 @@ impl Row {
     fn slopes(&self) -> impl Iterator<Item = (usize, usize)> {
         self.states.iter().copied().zip(self.output + 1..)
     }
-
-    /// What all states together make of it: times eps, what their rounding does.
-    fn spacing(&self, values: &Jets<f64>, states: &[f64]) -> f64 {
-        self.slopes().map(|(state, slope)| (values.value_of(slope) * states[state]).abs()).sum()
-    }
 }
 
 impl Invariants {
@@ -160,7 +156,13 @@ impl Invariants {
         self.rows.list.is_empty()
     }
 
-    /// How far the worst is from zero at the end of a step, in units of what is allowed and what rounding of the states makes of it.
+    /// How far the worst is from zero, in units of what is allowed and what rounding of the states makes of it.
+    fn excess(&mut self, time: f64, states: &[f64], scales: &Scales) -> f64 {
+        let none = Slack { tolerance: 0.0, off: &[], length: 0.0, rounding: 0.0 };
+        self.excess_beyond(time, states, scales, &none, ALLOWED)
+    }
+
+    /// The same at the end of a step.
     pub(crate) fn excess_of_step(
         &mut self,
         time: f64,
@@ -168,27 +170,35 @@ impl Invariants {
         scales: &Scales,
         slack: &Slack<'_>,
     ) -> f64 {
+        self.excess_beyond(time, states, scales, slack, ALLOWED_TO_FOLLOW)
+    }
+
+    fn excess_beyond(
+        &mut self,
+        time: f64,
+        states: &[f64],
+        scales: &Scales,
+        slack: &Slack<'_>,
+        allowed_to_follow: f64,
+    ) -> f64 {
         self.values.start(time, states, Branches::Free);
         let part = |row: &Row| {
             let scale = scales.of(row.group);
-            let put_off = |(state, slope): (usize, usize)| {
-                let off = slack.off.get(state).copied().unwrap_or(0.0) * slack.length;
-                (self.values.value_of(slope) * off).abs()
-            };
-            let off =
-                row.slopes().map(put_off).sum::<f64>() + f64::EPSILON * row.spacing(&self.values, states);
-            let least = if row.follows { ALLOWED_TO_FOLLOW } else { ALLOWED };
-            let allowed = least.max(OF_TOLERANCE * slack.tolerance) * scale + off;
+            let off = row.states.iter().enumerate().map(|(index, state)| {
+                let off = slack.off.get(*state).copied().unwrap_or(0.0).abs() * slack.length;
+                self.values.value_of(row.output + 1 + index).abs()
+                    * (off + slack.rounding * states[*state].abs())
+            });
+            let least = if row.follows { allowed_to_follow } else { ALLOWED };
+            let allowed = least.max(OF_TOLERANCE * slack.tolerance) * scale + off.sum::<f64>();
             if scale == 0.0 { 0.0 } else { self.values.value_of(row.output).abs() / allowed }
         };
         self.rows.list.iter().map(part).fold(0.0, f64::max)
     }
 
-    /// Moves the states to where all of them are zero, unless they are as good as there: what is left has the same sign from step to step, and
-    /// forces that lean on it would drive what moves freely.
+    /// Moves the states to where all of them are zero, unless they are as good as there.
     pub(crate) fn project(&mut self, time: f64, states: &mut [f64], system: &Compiled, scales: &Scales) {
-        self.values.start(time, states, Branches::Free);
-        if self.rows.list.iter().all(|row| self.is_as_good_as_zero(row, states, scales)) {
+        if self.excess(time, states, scales) <= WORTH_IT {
             return;
         }
         self.set_units(states, system, scales);
@@ -202,12 +212,6 @@ impl Invariants {
             }
             self.correct(states);
         }
-    }
-
-    fn is_as_good_as_zero(&self, row: &Row, states: &[f64], scales: &Scales) -> bool {
-        let scale = scales.of(row.group);
-        let rounding = ROUNDED * f64::EPSILON * row.spacing(&self.values, states);
-        scale == 0.0 || self.values.value_of(row.output).abs() <= rounding.min(WORTH_IT * ALLOWED * scale)
     }
 
     /// Factors `J W J^T` where the functions have been evaluated; whether it has an inverse. The corrections that follow change it by no
@@ -225,11 +229,10 @@ impl Invariants {
     /// rounding of the states makes of zero, and more than it leaves: far from the origin a place that cannot take a correction up leaves it to
     /// others.
     fn correct(&mut self, states: &mut [f64]) {
-        let (values, rounding) = (&self.values, self.rounding);
-        let of = |output: usize| values.value_of(output);
+        let of = |output: usize| self.values.value_of(output);
         let zero = |row: &Row| {
-            let spacing = row.spacing(values, states);
-            rounding.draw(spacing, row.output as u64) * f64::EPSILON * spacing
+            let spacing: f64 = row.slopes().map(|(state, slope)| (of(slope) * states[state]).abs()).sum();
+            self.rounding.draw(spacing, row.output as u64) * f64::EPSILON * spacing
         };
         self.off.clear();
         self.off.extend(self.rows.list.iter().map(|row| of(row.output) - zero(row)));

@@ -104,7 +104,12 @@ impl<H: Hybrid> Solver<'_, H> {
                 expansion.states.iter().map(|series| polynomial::value(series, step.length)).collect();
             let mut scales = self.scales.clone();
             scales.watch(system, &end);
-            let slack = Slack { tolerance: self.tolerance, off: &self.off, length: step.length };
+            let slack = Slack {
+                tolerance: self.tolerance,
+                off: &self.off,
+                length: step.length,
+                rounding: f64::EPSILON,
+            };
             let drift = invariants.excess_of_step(step.end, &end, &scales, &slack);
             verdict = verdict.or(Verdict { excess: drift, state: 0 });
         }
