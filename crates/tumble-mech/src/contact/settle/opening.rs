@@ -1,9 +1,13 @@
 //! Contacts whose force has come down to zero while little else acts: whether they open is seen a moment later, since what is left of their
 //! acceleration now is what rounding has left of the time.
 
+use tumble_expr::Expr;
+use tumble_ode::Reason;
+
 use super::{Settling, Touched};
 use crate::contact::complementarity::pushing;
 use crate::contact::sticking::Pushes;
+use crate::contact::touch::Now;
 use crate::mode::Mode;
 use crate::record::Jump;
 
@@ -22,16 +26,15 @@ impl Settling<'_> {
     ) -> [Vec<usize>; 2] {
         let nothing = || [vec![], vec![]];
         let now = self.now.a_moment_later();
-        let states = self.equations.moved(&self.island, now.time - self.now.time, jump);
-        let Ok(later) = self.equations.touch(&self.island, &jump.mode, &states, now) else {
-            return nothing();
-        };
+        let states = self.accelerated(now.time - self.now.time, jump);
+        let later = states.and_then(|states| self.equations.touch(&self.island, &jump.mode, &states, now));
+        let Ok(later) = later else { return nothing() };
         if later.pairs != self.touch.pairs {
             return nothing();
         }
         let later = Self::before(self.equations, &self.island, later, now);
         if self.is_rough() {
-            // What slips is as it is now: velocities are not those of a moment later.
+            // What slips is as it is now: what sticks has no slip a moment later either.
             let held =
                 |some: &[usize]| later.forces(some, &self.slipping_patches(some, touched, jump)).solve();
             return later.parted(lifted, others, held).unwrap_or_else(nothing);
@@ -48,6 +51,22 @@ impl Settling<'_> {
         };
         let (opens, closes) = lifted.iter().filter(is_all).partition(|position| then[**position] > 0.0);
         [opens, closes]
+    }
+
+    /// The states a moment later, as bodies move now and are accelerated by what acts, contacts included. How the acceleration of a gap goes on
+    /// depends on both alike: it has squares of velocities in it.
+    fn accelerated(&self, length: f64, jump: &Jump<Mode>) -> Result<Vec<f64>, Reason> {
+        let (equations, Now { time, inputs, .. }) = (self.equations, self.now);
+        let mut states = equations.moved(&self.island, length, jump);
+        let velocities: Vec<usize> =
+            self.island.iter().flat_map(|body| equations.velocity_states(&jump.mode, *body)).collect();
+        let rates = equations.state_rates(&jump.mode);
+        let rates: Vec<Expr> = velocities.iter().map(|state| rates[*state].rate.clone()).collect();
+        let accelerations = equations.values(&rates, &jump.mode, time, &jump.states, inputs)?;
+        for (state, acceleration) in velocities.into_iter().zip(accelerations) {
+            states[state] += length * acceleration;
+        }
+        Ok(states)
     }
 
     /// Of some contacts those that friction and the others let open, and those that press. What does not press opens, however slowly: its force
