@@ -123,7 +123,8 @@ impl CheckRun {
         let difference = |(contribution, work): (&Contribution, &f64)| {
             let mut others = check.contributions.iter().zip(&there.work);
             let other = others.find(|(other, _)| other.key() == contribution.key());
-            other.map_or(f64::INFINITY, |(_, other)| (work - other).abs())
+            // What it does not have has done no work there: at a start that is at rest but for rounding, one run may have impulses and another none.
+            (work - other.map_or(0.0, |(_, other)| *other)).abs()
         };
         Ok(Some(balance.contributions.iter().zip(works).map(difference).collect()))
     }
