@@ -53,6 +53,12 @@ impl Ground {
         &self.foot[0]
     }
 
+    /// The place so high over it, as formulas.
+    pub(crate) fn above(&self, height: &str) -> [String; 2] {
+        let Self { slope, foot: [x, y], .. } = self;
+        [format!("{x} - {height}*sin({slope})"), format!("{y} + {height}*cos({slope})")]
+    }
+
     /// How far from the origin it is, m.
     pub(crate) fn far(&self) -> f64 {
         self.foot[0].near().hypot(self.foot[1].near())
@@ -72,12 +78,13 @@ impl Ground {
         rigid: &str,
     ) {
         let Self { mass, slope, foot: [x, y], .. } = self;
+        let [middle_x, middle_y] = self.above(height);
         setup.write(&format!(
             "[body.p]
             {shape}
             mass = \"{mass}\"
             [body.p.start]
-            at = [\"{x} - {height}*sin({slope})\", \"{y} + {height}*cos({slope})\"]
+            at = [\"{middle_x}\", \"{middle_y}\"]
             velocity = [\"{speed}*cos({slope})\", \"{speed}*sin({slope})\"]
             {start}
             [surface.floor]

@@ -14,6 +14,7 @@ mod pendulum;
 mod resists;
 mod rounds;
 mod rubs;
+mod settles;
 mod slopes;
 mod spins;
 mod stands;
@@ -71,6 +72,7 @@ pub(crate) const FAMILIES: &[Family] = &[
     Family { name: "rounds", make: rounds::make },
     Family { name: "rubs", make: rubs::make },
     Family { name: "stands", make: stands::make },
+    Family { name: "settles", make: settles::make },
 ];
 
 /// What the number of a problem that is drawn anew is raised by.
@@ -84,18 +86,15 @@ pub(crate) fn named(name: &str) -> Option<usize> {
 /// A problem by the seed of its survey, its family and its number. Numbers that are written with few digits may make none, such as
 /// a speed of zero where an answer is divided by it: then they are drawn anew.
 pub(crate) fn problem(seed: u64, family: usize, index: u64) -> Problem {
+    QUIET.call_once(tell_no_draws);
     let drawn = |attempt: u64| {
         let draw = Draw::of(seed, family as u64, index + attempt * ANEW);
-        catch_unwind(|| (FAMILIES[family].make)(Setup::new(draw))).ok()
-    };
-    let quietly = |attempt: u64| {
         IS_DRAWING.set(true);
-        let drawn = drawn(attempt);
+        let made = catch_unwind(|| (FAMILIES[family].make)(Setup::new(draw)));
         IS_DRAWING.set(false);
-        drawn
+        made.ok()
     };
-    QUIET.call_once(tell_no_draws);
-    (0..).find_map(quietly).expect("one of many draws makes a problem")
+    (0..).find_map(drawn).expect("one of many draws makes a problem")
 }
 
 static QUIET: Once = Once::new();
