@@ -36,7 +36,7 @@ pub(super) fn make(mut setup: Setup) -> Problem {
     let mass = &ground.mass.value;
     let held = |coefficient: &Real| coefficient * &push * mass / &stiffness.value;
     let balanced = mass * &pull / &stiffness.value;
-    let stretch = Real::of(setup.draw.sign() as f64 * setup.draw.log_between(STRETCHES[0], STRETCHES[1]));
+    let stretch = Real::of(setup.draw.sign() * setup.draw.log_between(STRETCHES[0], STRETCHES[1]));
     let anchor = setup.near("anchor", &(held(&kinetic) * stretch - &balanced), LENGTH);
     let [x, y] = ground.above(&half.word);
     let slope = &ground.slope;
