@@ -152,8 +152,7 @@ impl Instant<'_> {
         for island in equations.islands(mode, &bodies) {
             mode.still.retain(|body| !island.contains(body));
             if self.is_still(mode, &island)? {
-                let velocities = island.iter().flat_map(|body| equations.velocity_states(mode, *body));
-                velocities.for_each(|state| states[state] = 0.0);
+                equations.velocities_of(mode, &island).into_iter().for_each(|state| states[state] = 0.0);
                 mode.still.extend(&island);
                 mode.still.sort_unstable();
             }

@@ -34,7 +34,7 @@ impl Gauge {
         let tape = equations.rows_tape(mode, rows)?;
         Ok(Self {
             indices,
-            velocities: bodies().flat_map(|body| equations.velocity_states(mode, body)).collect(),
+            velocities: equations.velocities_of(mode, &mode.bodies),
             coordinates: bodies().flat_map(|body| equations.coordinate_states(mode, body)).collect(),
             values: Jets::new(Arc::clone(&tape.tape), 0, &computed(inputs)),
             tape,

@@ -226,7 +226,7 @@ fn energy(run: &Run) -> Expr {
     all.reduce(|sum, next| sum + next).expect("bodies")
 }
 
-/// Steps that a scene may take: a hundred times what most of them do.
+/// Steps that a scene may take: half of them take about a hundred, and one in a hundred takes more than a thousand.
 const MOST_STEPS: usize = 100_000;
 
 /// The motion of a scene of rigid bodies, or why it was refused.

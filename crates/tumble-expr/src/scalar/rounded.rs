@@ -8,7 +8,7 @@ use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::Scalar;
-use crate::rounding::drawn;
+use crate::rounding::{Rounding, drawn};
 use crate::table::Table;
 
 /// Digits of a significand.
@@ -150,6 +150,11 @@ impl Drawn {
     /// A number that is off by so many times eps of it.
     pub fn off_by(value: f64, part: f64) -> Self {
         Self { value, error: OneError(part * value.abs()) }
+    }
+
+    /// A number that is rounded in this way, unless it is exact; `key` tells numbers of one value apart that are not the same.
+    pub fn rounded(value: f64, is_exact: bool, rounding: Rounding, key: u64) -> Self {
+        Self::off_by(value, if is_exact { 0.0 } else { rounding.draw(value, key) })
     }
 
     /// What it is off by.

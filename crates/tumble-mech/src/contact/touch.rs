@@ -184,8 +184,7 @@ impl Equations {
     ) -> Result<Touch, Reason> {
         let mut all = self.pair_list().among(island);
         all.retain(|pair| !self.pair_list().captures.contains_key(pair));
-        let velocities: Vec<usize> =
-            island.iter().flat_map(|body| self.velocity_states(mode, *body)).collect();
+        let velocities = self.velocities_of(mode, island);
         let tape = self.island_tape(island, mode, &all)?;
         let jets = to_second_order(&tape, (states, &velocities), now);
         let (pairs, tape) =

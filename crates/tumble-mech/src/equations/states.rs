@@ -65,6 +65,11 @@ impl Equations {
         self.parts.bodies[body].coordinates.velocity_states().iter().map(|state| first + state).collect()
     }
 
+    /// The same of some bodies, one after the other.
+    pub(crate) fn velocities_of(&self, mode: &Mode, bodies: &[usize]) -> Vec<usize> {
+        bodies.iter().flat_map(|body| self.velocity_states(mode, *body)).collect()
+    }
+
     /// The same of those that something has to hold: a point that does not turn will not.
     pub(crate) fn free_velocity_states(&self, mode: &Mode, body: usize, states: &[f64]) -> Vec<usize> {
         let mut velocities = self.velocity_states(mode, body);

@@ -225,7 +225,7 @@ impl<'a> Instant<'a> {
     fn new(equations: &'a Equations, mode: &'a Mode, bodies: &[usize]) -> Self {
         let linking = Linking::new(equations, mode, Nodes::default());
         let layout = Layout { rounding: Rounding::NEAREST, ..equations.layout(mode) };
-        let velocities = bodies.iter().flat_map(|body| equations.velocity_states(mode, *body));
+        let velocities = equations.velocities_of(mode, bodies).into_iter();
         let names = velocities.map(|state| linking.names.find(&layout.states[state]));
         let velocities = names.zip(0..).filter_map(|(name, place)| Some((name?, place))).collect();
         Self { linking, layout, velocities, outputs: vec![] }

@@ -156,11 +156,11 @@ impl<'a> Quantity<'a> {
     /// One of those errors; zero where there is none that is a number.
     fn off(&self, rounding: Rounding) -> f64 {
         let (run, MotionState { time, states, .. }) = (self.run, self.place);
-        let leaf = |is_exact: bool, (index, value): (usize, &f64)| {
-            Drawn::off_by(*value, if is_exact { 0.0 } else { rounding.draw(*value, index as u64) })
+        let leaf = |(index, value): (usize, &f64), is_exact: bool| {
+            Drawn::rounded(*value, is_exact, rounding, index as u64)
         };
-        let number = |at: (usize, &f64)| leaf(is_short(*at.1), at);
-        let state = |at: (usize, &f64)| leaf(*time == 0.0 && is_short(*at.1), at);
+        let number = |at: (usize, &f64)| leaf(at, is_short(*at.1));
+        let state = |at: (usize, &f64)| leaf(at, *time == 0.0 && is_short(*at.1));
         let inputs: Vec<Drawn> = run.inputs.iter().enumerate().map(number).collect();
         let states: Vec<Drawn> = states.iter().enumerate().map(state).collect();
         let mut jets = Jets::new(Arc::new(self.jets.tape().rounded(rounding)), 0, &inputs);

@@ -25,11 +25,9 @@ impl Engine {
             let jets = Jets::new(self.system.tape.clone(), 0, &inputs);
             Box::new(Off { jets, leaves: vec![], signs: vec![] })
         });
-        let leaf =
-            |(state, (value, left_out)): (usize, (&f64, &f64))| match *left_out == 0.0 && is_short(*value) {
-                true => Drawn::splat(*value),
-                false => Drawn::off_by(*value, rounding.draw(*value, state as u64)),
-            };
+        let leaf = |(state, (value, left_out)): (usize, (&f64, &f64))| {
+            Drawn::rounded(*value, *left_out == 0.0 && is_short(*value), rounding, state as u64)
+        };
         leaves.clear();
         leaves.extend(states.iter().zip(compensation).enumerate().map(leaf));
         signs.clear();

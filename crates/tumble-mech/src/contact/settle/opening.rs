@@ -58,8 +58,7 @@ impl Settling<'_> {
     fn accelerated(&self, length: f64, jump: &Jump<Mode>) -> Result<Vec<f64>, Reason> {
         let (equations, Now { time, inputs, .. }) = (self.equations, self.now);
         let mut states = equations.moved(&self.island, length, jump);
-        let velocities: Vec<usize> =
-            self.island.iter().flat_map(|body| equations.velocity_states(&jump.mode, *body)).collect();
+        let velocities = equations.velocities_of(&jump.mode, &self.island);
         let rates = equations.state_rates(&jump.mode);
         let rates: Vec<Expr> = velocities.iter().map(|state| rates[*state].rate.clone()).collect();
         let accelerations = equations.values(&rates, &jump.mode, time, &jump.states, inputs)?;
