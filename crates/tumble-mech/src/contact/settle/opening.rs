@@ -14,6 +14,10 @@ use crate::record::Jump;
 /// What a moment makes of an acceleration is all there is of it, but for this part.
 const NOTHING: f64 = 1e-2;
 
+/// And it is one only beyond this part of what the forces would do without each other: a few of their roundings. What nothing presses on, nor
+/// leads away, stays as it is.
+const ROUNDED: f64 = 16.0 * f64::EPSILON;
+
 impl Settling<'_> {
     /// Of some contacts whose force has just come to zero, those that open a moment later, if some others bear what there is to bear, and those
     /// that would close.
@@ -47,7 +51,8 @@ impl Settling<'_> {
             then += (later.touch.pushes() * later.whole(others, &push)).rows(0, then.len());
         }
         let is_all = |position: &&usize| {
-            self.touch.free[**position].abs() <= NOTHING * then[**position].abs() && then[**position] != 0.0
+            let then = then[**position].abs();
+            self.touch.free[**position].abs() <= NOTHING * then && then > ROUNDED * later.touch.strength
         };
         let (opens, closes) = lifted.iter().filter(is_all).partition(|position| then[**position] > 0.0);
         [opens, closes]
