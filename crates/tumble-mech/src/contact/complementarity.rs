@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::contact::lemke;
 
 /// What is negative by less than this part of the numbers that it is made of is zero but for rounding.
-const ZERO: f64 = 1e-11;
+pub(crate) const ZERO: f64 = 1e-11;
 /// Contacts whose responses are dependent to this relative size of a pivot are not told apart.
 pub(crate) const DEPENDENT: f64 = 1e-9;
 /// Rounding leaves no more than this part of the numbers that a pivot is the difference of: each has passed through some tens of operations.

@@ -40,7 +40,7 @@ impl Settling<'_> {
             }
             let mut falling = if zeno.is_none() { self.falling_back(&lasting, touched) } else { vec![] };
             falling.retain(|position| held.insert(*position));
-            if zeno.is_some() {
+            if zeno.is_some() || self.is_ended {
                 self.stop_with(&lasting, touched, jump)?;
             }
             let is_struck = falling.is_empty() && self.impacts(touched, jump)?;
@@ -59,7 +59,7 @@ impl Settling<'_> {
     }
 
     /// The rates of these are none.
-    fn take_for_still(&mut self, some: &[usize]) {
+    pub(super) fn take_for_still(&mut self, some: &[usize]) {
         for &position in some {
             self.speed[position] = self.speed[position].max(2.0 * self.touch.rate[position].abs() / STANDS);
         }

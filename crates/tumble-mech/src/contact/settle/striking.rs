@@ -4,7 +4,7 @@ use nalgebra::DVector;
 use tumble_ode::Reason;
 
 use super::{STANDS, Settling, Touched};
-use crate::contact::complementarity::standing;
+use crate::contact::complementarity::{ZERO, standing};
 use crate::contact::pair::Pair;
 use crate::contact::routh::{Refused, Strike};
 use crate::contact::sticking::{Patch, Pushes, Rough};
@@ -38,8 +38,18 @@ impl Settling<'_> {
             }
             self.count_round()?;
             self.take_part(closing);
+            let fastest = self.of(&self.touch.rate).amax();
             self.impact(jump)?;
+            self.blur_closing(fastest);
         }
+    }
+
+    /// Impulses of several let none close, but for rounding, which is that of the fastest: struck again, what is slower than it would be left as it is.
+    fn blur_closing(&mut self, fastest: f64) {
+        let rounding = -ZERO * fastest..0.0;
+        let is_left = |position: &usize| rounding.contains(&self.touch.rate[*position]);
+        let left: Vec<usize> = self.part.iter().copied().filter(is_left).collect();
+        self.take_for_still(&left);
     }
 
     /// One more impact of this instant; too many are refused.
