@@ -1,6 +1,8 @@
 //! From the normal form to mathematics on paper.
 
-use num_traits::{One, Signed};
+use std::collections::BTreeMap;
+
+use num_traits::{One, Signed, Zero};
 use tumble_expr::{Binary, Exponent, Relation, Unary};
 
 use crate::algebra::{Algebra, Base, Factor, Form, Function, Id};
@@ -141,16 +143,24 @@ impl<'a> Printer<'a> {
         layers.joined()
     }
 
-    /// The product of the numbers among factors, and the others.
+    /// The product of the numbers among factors, and the others; a product that was under a root of its own is its factors.
     fn numbers_of(&self, factors: &[Factor]) -> (Rational, Vec<Factor>) {
-        let (mut by, mut others) = (Rational::one(), vec![]);
+        let (mut by, mut others) = (Rational::one(), BTreeMap::new());
         for (id, exponent) in factors {
-            match self.algebra.form(*id) {
-                Form::Number(value) if exponent.is_one() => by *= value.clone(),
-                _ => others.push((*id, *exponent)),
-            }
+            let own = match self.algebra.form(*id) {
+                Form::Number(value) if exponent.is_one() => {
+                    by *= value.clone();
+                    continue;
+                }
+                Form::Product(own, inside) if exponent.is_one() && own.is_positive() => {
+                    by *= own.clone();
+                    inside.clone()
+                }
+                _ => vec![(*id, *exponent)],
+            };
+            own.into_iter().for_each(|(id, power)| *others.entry(id).or_insert_with(Exponent::zero) += power);
         }
-        (by, others)
+        (by, others.into_iter().collect())
     }
 
     /// What stands under one root sign where several square roots are multiplied; nothing where there is at most one.

@@ -142,6 +142,9 @@ fn roots_and_lengths() {
         ((&x - &y).abs() * (&y - &x).abs(), "(x − y)²"),
         ((4 * &x * &x).sqrt(), "2 |x|"),
         (Expr::from(8).sqrt() / Expr::from(2).sqrt(), "2"),
+        ((10 * &m * (&x * (1 - pure("a").cos()))).sqrt(), "√(10 m x (1 − cos a))"),
+        (x.sqrt() * (&x * &y).sqrt(), "√(x² y)"),
+        (x.sqrt() * (-(&x * &y)).sqrt(), "√(x (−x y))"),
     ] {
         assert_eq!(text(&formula), expected);
     }
