@@ -1,6 +1,6 @@
 //! Finding room for labels among things already drawn.
 
-use crate::geometry::{length, minus, nearest};
+use crate::geometry::{dot, length, minus, nearest};
 use crate::rect::Rect;
 
 /// Room kept between a label and anything else, in pixels.
@@ -22,11 +22,18 @@ const OUTSIDE_COST: f64 = 1e6;
 #[derive(Clone, Debug)]
 struct Line {
     points: Vec<[f64; 2]>,
+    /// What it lies in, if it has points.
+    within: Option<Rect>,
     /// As how many it counts for a leader that crosses it.
     weight: f64,
 }
 
 impl Line {
+    fn new(points: Vec<[f64; 2]>, weight: f64) -> Self {
+        let within = Rect::around(points.iter().copied());
+        Self { points, within, weight }
+    }
+
     fn pieces(&self) -> impl Iterator<Item = [[f64; 2]; 2]> {
         self.points.windows(2).map(|w| [w[0], w[1]])
     }
@@ -54,12 +61,12 @@ impl Occupancy {
 
     /// Marks a polyline as taken.
     pub(crate) fn add_line(&mut self, points: Vec<[f64; 2]>) {
-        self.lines.push(Line { points, weight: 1.0 });
+        self.lines.push(Line::new(points, 1.0));
     }
 
     /// Marks the shaft of an arrow as taken.
     pub(crate) fn add_arrow(&mut self, shaft: [[f64; 2]; 2]) {
-        self.lines.push(Line { points: shaft.to_vec(), weight: ARROW });
+        self.lines.push(Line::new(shaft.to_vec(), ARROW));
     }
 
     /// Marks the inside of a closed outline as taken; its rim is a line of its own.
@@ -93,18 +100,24 @@ impl Occupancy {
             };
             is_past(0, x) || is_past(1, y)
         };
-        let is_touched = |[p, q]: [[f64; 2]; 2]| !is_past(p, q) && distance([a, b], [p, q]) < apart;
-        let counts = |piece: [[f64; 2]; 2]| match (is_touched(piece), is_along([a, b], piece)) {
-            (false, _) => 0.0,
-            (true, false) => 1.0,
-            (true, true) => ALONG,
+        let is_touched =
+            |[p, q]: [[f64; 2]; 2]| !is_past(p, q) && squared_distance([a, b], [p, q]) < apart * apart;
+        let counts = |piece: [[f64; 2]; 2]| match is_touched(piece) {
+            false => 0.0,
+            true if is_along([a, b], piece) => ALONG,
+            true => 1.0,
         };
         let times = |line: &Line| {
-            let counts: Vec<f64> = line.pieces().map(counts).collect();
-            let runs = counts.chunk_by(|one, next| (*one > 0.0) == (*next > 0.0));
-            line.weight * runs.map(|run| run.iter().copied().fold(0.0, f64::max)).sum::<f64>()
+            let (runs, last) = line.pieces().map(counts).fold((0.0, 0.0), |(runs, run), count| match count {
+                0.0 => (runs + run, 0.0),
+                _ => (runs, f64::max(run, count)),
+            });
+            line.weight * (runs + last)
         };
-        self.lines.iter().map(times).sum()
+        let is_near = |line: &&Line| {
+            line.within.is_some_and(|within| !is_past([within.x, within.y], [within.right(), within.bottom()]))
+        };
+        self.lines.iter().filter(is_near).map(times).sum()
     }
 
     /// What it costs to draw over the rectangle: pixels of overlap with
@@ -155,12 +168,15 @@ fn is_along([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
     (one[0] * other[1] - one[1] * other[0]).abs() < ALONG_SINE * length(one) * length(other)
 }
 
-/// Distance of two pieces of straight lines.
-fn distance([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> f64 {
+/// The square of the distance of two pieces of straight lines.
+fn squared_distance([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> f64 {
     if lines_cross([a, b], [c, d]) {
         return 0.0;
     }
-    let from = |p: [f64; 2], line: [[f64; 2]; 2]| length(minus(p, nearest(p, line)));
+    let from = |p: [f64; 2], line: [[f64; 2]; 2]| {
+        let way = minus(p, nearest(p, line));
+        dot(way, way)
+    };
     let ends = [from(a, [c, d]), from(b, [c, d]), from(c, [a, b]), from(d, [a, b])];
     ends.into_iter().fold(f64::INFINITY, f64::min)
 }

@@ -22,22 +22,32 @@ class Control {
   /** Shows a value that the engine has read. */
   take({ text, value, size }) {
     this.number = (value * size) / this.knob.size;
-    this.field.value = text;
+    this.write(text);
     this.field.removeAttribute("aria-invalid");
     this.place();
   }
 
-  /** Shows the value of one run, in its unit: of what is swept. */
-  show(number) {
+  /** Where the field is too narrow for all of a text, a pointer on it shows the rest. */
+  write(text) {
+    this.field.value = this.field.title = text;
+    this.slider.setAttribute("aria-valuetext", text);
+  }
+
+  /** Shows a number of its unit. */
+  writeNumber(number) {
     this.number = number;
     const rounded = Number(number.toPrecision(12));
-    this.field.value = this.knob.unit ? `${rounded} ${this.knob.unit}` : String(rounded);
+    this.write(this.knob.unit ? `${rounded} ${this.knob.unit}` : String(rounded));
+  }
+
+  /** Shows the value of one run, in its unit: of what is swept. */
+  show(number) {
+    this.writeNumber(number);
     this.place();
   }
 
   place() {
     if (document.activeElement !== this.slider) this.slider.value = KNOB_STEPS * this.part(this.number);
-    this.slider.setAttribute("aria-valuetext", this.field.value);
   }
 
   part(number) {
@@ -57,9 +67,7 @@ class Control {
     const step = this.span() / 10 ** KNOB_DIGITS;
     const places = Math.max(0, Math.ceil(-Math.log10(step)));
     const rounded = this.knob.log ? number.toPrecision(KNOB_DIGITS) : number.toFixed(Math.min(places, 20));
-    this.number = Number(rounded);
-    this.field.value = this.knob.unit ? `${this.number} ${this.knob.unit}` : String(this.number);
-    this.slider.setAttribute("aria-valuetext", this.field.value);
+    this.writeNumber(Number(rounded));
     this.changed(this, this.field.value);
   }
 
