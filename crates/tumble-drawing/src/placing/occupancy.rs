@@ -115,7 +115,8 @@ impl Occupancy {
             line.weight * (runs + last)
         };
         let is_near = |line: &&Line| {
-            line.within.is_some_and(|within| !is_past([within.x, within.y], [within.right(), within.bottom()]))
+            line.within
+                .is_some_and(|within| !is_past([within.x, within.y], [within.right(), within.bottom()]))
         };
         self.lines.iter().filter(is_near).map(times).sum()
     }

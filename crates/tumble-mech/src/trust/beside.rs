@@ -31,6 +31,11 @@ impl Recent {
         Self { steps: VecDeque::new(), largest: none.clone(), now: none }
     }
 
+    /// Values so far do not count from now on.
+    pub(super) fn forget(&mut self) {
+        *self = Self::new(self.now.len());
+    }
+
     /// Begins another step.
     pub(super) fn advance(&mut self) {
         let oldest = if self.steps.len() < RECENT { None } else { self.steps.pop_front() };
@@ -73,6 +78,11 @@ impl<'a> Beside<'a> {
             differences: Recent::new(formulas.len()),
             longest: 0.0,
         })
+    }
+
+    /// Differences so far do not count from now on.
+    pub(super) fn forget(&mut self) {
+        self.differences.forget();
     }
 
     /// The stretch that a piece of the motion lies in.

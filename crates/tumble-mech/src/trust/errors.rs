@@ -183,9 +183,15 @@ impl<'a> Walk<'a> {
     }
 
     fn step(&mut self, piece: &Piece, phases: &[[Stretch; 2]], is_wanted: bool) {
+        let mode = &self.run.trajectory().modes[piece.mode];
+        // What is off while all is still stays so, whatever it was on the way: velocities are none.
+        if mode.still.len() == mode.bodies.len() {
+            self.sizes.forget();
+            self.beside.iter_mut().for_each(Beside::forget);
+        }
         self.sizes.advance();
         let steps = self.beside.iter_mut().map(|check| check.advance(piece)).max();
-        let is_pressed = self.run.trajectory().modes[piece.mode].pressed().next().is_some();
+        let is_pressed = mode.pressed().next().is_some();
         let stays = |check: &Beside<'_>, [here, _]: &[Stretch; 2]| {
             let is_impact = is_pressed && here.end - here.start < BRIEF * check.longest;
             !is_impact && !here.ends_zeno_sequence

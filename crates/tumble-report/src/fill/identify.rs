@@ -6,7 +6,7 @@ use crate::report::{BodyRow, Identify, QuantityRow, Text};
 use tumble_expr::{Dimension, Expr, Node, Symbol, is_identically_zero};
 use tumble_mech::{Body, Shape};
 use tumble_ode::Side;
-use tumble_scene::{Study, SweepAxis, Swept};
+use tumble_scene::{Curve, Study, SweepAxis, Swept};
 
 use super::names::{MASS, Names, quantity};
 use super::{alike, sizes};
@@ -283,12 +283,13 @@ fn sought(study: &Study) -> Vec<Text> {
     let all = symbols::all(study);
     let called = |text: &str| Text::from(symbols::called(study, &all, text));
     let mut sought: Vec<Text> = study.finds.iter().map(|find| finds::called(study, find).into()).collect();
-    for curve in study.plots.iter().flat_map(|plot| &plot.y) {
-        let text = match &curve.label {
-            Some(label) => Text::from(tumble_drawing::Label::markup(label)),
-            None => called(&curve.text),
-        };
-        let text = text.and(" over time");
+    let named = |curve: &Curve| match &curve.label {
+        Some(label) => Text::from(tumble_drawing::Label::markup(label)),
+        None => called(&curve.text),
+    };
+    for (plot, curve) in study.plots.iter().flat_map(|plot| plot.y.iter().map(move |curve| (plot, curve))) {
+        let over = plot.x.as_ref().map_or_else(|| "time".into(), named);
+        let text = named(curve).and(" over ").and(over);
         if !sought.contains(&text) {
             sought.push(text);
         }

@@ -137,7 +137,7 @@ fn explained(table: &PrintedTable) -> Text {
         ("Order", "of the Taylor series"),
         ("Exact steps", "those in which the motion is a polynomial"),
         ("Repeated", "steps tried again, shorter"),
-        ("Modes", "sets of equations that held in turn, by what touches, slides or acts"),
+        ("Modes", "sets of equations, by what touches, slides or acts, those of an instant too"),
         ("Points along lines", "those at which the air is summed"),
     ];
     let is_there = |name: &str| table.filled().iter().any(|i| table.columns[*i].heading.to_plain() == name);

@@ -19,7 +19,7 @@ enum Kind {
     /// Of an impact at that time, s.
     Impulse(f64),
     Count,
-    /// A count of what a Zeno sequence has infinitely often, of which the first are followed.
+    /// What a Zeno sequence has infinitely often, of which the first are followed: a count, or the impulse of all the others together.
     Infinite,
 }
 
@@ -103,8 +103,8 @@ fn impulse(run: &Run, place: &str, count: Count, axis: &str) -> Option<Tally> {
     let pairs = run.equations.pairs();
     let there = contacts.iter().filter(|contact| is_part(&pairs[contact.pair].name, place));
     let contact = count.of(there)?;
-    let at = |event: &&Occurrence<tumble_mech::Record>| event.time == contact.start;
-    let impulses = run.events().filter(at).flat_map(|event| &event.record.impulses);
+    let at = || run.events().filter(|event| event.time == contact.start);
+    let impulses = at().flat_map(|event| &event.record.impulses);
     let capture = run.equations.capture_of(contact.pair).map(Source::Joint);
     let sources: Vec<Source> =
         [Source::Pair(contact.pair), Source::Friction(contact.pair)].into_iter().chain(capture).collect();
@@ -122,5 +122,9 @@ fn impulse(run: &Run, place: &str, count: Count, axis: &str) -> Option<Tally> {
     let rounding =
         |axis: usize| Trust::rounding_at(run, &normal[axis], (contact.start, Side::Before)).ok()?;
     let turned = rounding(0)?.hypot(rounding(1)?);
-    Some(Tally { value, blur: (ROUNDING + turned) * size, kind: Kind::Impulse(contact.start) })
+    // From there on bounces are not followed one by one.
+    let is_zeno = |one: &Happening| matches!(one, Happening::Contact { change: Change::Zeno, .. });
+    let is_infinite = at().any(|event| event.record.happened.iter().any(is_zeno));
+    let kind = if is_infinite { Kind::Infinite } else { Kind::Impulse(contact.start) };
+    Some(Tally { value, blur: (ROUNDING + turned) * size, kind })
 }

@@ -1,5 +1,7 @@
 //! What is at rest is watched while it rests: loads that change with the time break it away, lift it and turn it over, however long the run is.
 
+use tumble::FindResult;
+
 use super::ask::{Scene, are, scene};
 
 const G: f64 = 9.81;
@@ -17,6 +19,22 @@ fn push(on: &str, along_x: &str) -> String {
 fn pushed(along_x: &str, until: &str) -> Scene {
     let body = "[body.b]\nbox = { width = \"60 cm\", height = \"10 cm\" }\nmass = \"2 kg\"\nstart.at = [0, \"5 cm\"]\n";
     scene(&[body, &floor("0.4"), &push("b", along_x)].concat()).heavy().until(until)
+}
+
+/// A spring swings a block to and fro on a rough floor until it stays: from then on it has no velocity but for rounding, however roughly
+/// it was followed.
+#[test]
+fn what_stays_has_no_velocity() {
+    let block = "[body.b]\nbox = { width = \"60 cm\", height = \"10 cm\" }\nmass = \"2 kg\"\nstart = { at = [\"1.37 m\", \"5 cm\"] }\n";
+    let spring = "[spring.s]\nbetween = [\"b.cm\", { world = [0, \"5 cm\"] }]\nstiffness = \"53 N/m\"\nrest_length = 0\n";
+    let swung = scene(&[block, spring, &floor("0.31")].concat()).heavy().until("20 s").accuracy(1e-6);
+    let found = swung.run(&["b.vx", "b.vy", "b.omega", "b.x"]).finds;
+    let is_still = |find: &FindResult| find.value == 0.0 && find.error.is_some_and(|error| error < 1e-14);
+    assert!(found.iter().take(3).all(is_still), "{found:?}");
+    assert!(
+        found[3].error.is_some_and(|error| error > 1e-14),
+        "it is not known to all digits where: {found:?}"
+    );
 }
 
 #[test]

@@ -32,6 +32,20 @@ fn nobody_counts_to_infinity() {
     assert!(found[2].error.is_some_and(|error| error < 1e-12), "{found:?}");
 }
 
+/// Where bounces are followed no more, there is one impulse of all that are left.
+#[test]
+fn an_impulse_of_bounces_that_are_not_followed_is_not_that_of_one() {
+    let ball = "[body.ball]\nball = { radius = \"10 cm\" }\nmass = \"1 kg\"\nstart = { at = [0, \"1.35 m\"] }\n\
+                [surface.floor]\nthrough = [0, 0]\nrigid = { restitution = 0.5 }\n";
+    let asked = ["floor.contact[25].impulse.y", "floor.contact[26].impulse.y"];
+    let found = scene(ball).heavy().until("3 s").run(&asked).finds;
+    let truth = 1.5 * 0.5_f64.powi(24) * (2.0 * 9.81 * 1.25_f64).sqrt();
+    assert!(
+        (found[0].value - truth).abs() <= found[0].error.expect("known") && found[1].error.is_none(),
+        "{found:?}"
+    );
+}
+
 /// Friction of a ball that rolls up a compliant wall is greatest as it ceases to slide, and jumps there.
 #[test]
 fn the_greatest_friction_before_it_sticks() {

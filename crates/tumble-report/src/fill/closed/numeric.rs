@@ -1,6 +1,8 @@
 //! Stretches whose motion was found as polynomials in time, with the numbers of one run: what contacts and joints hold has no formula of
 //! its own here, and moves as simply.
 
+use std::ops::Range;
+
 use tumble_expr::{Dimension, Symbol, is_identically_zero};
 use tumble_mech::Run;
 use tumble_notation::Math;
@@ -126,15 +128,23 @@ fn lines(study: &Study, names: &Names, case: &Case, stretch: &Between<'_>) -> Ve
     let all = (0..study.model.bodies.len()).flat_map(|body| coordinates(study, body)).filter(turns);
     let mut both: Vec<[(Symbol, Vec<f64>); 2]> =
         all.filter_map(|one| Some([known(&one.position)?, known(&one.velocity)?])).collect();
-    let largest = |symbol: &Symbol| {
+    // What is nothing beside the others of its kind is none: where it is at first, and what it moves by.
+    let kinds = [0..1, 1..MOST_POWERS];
+    let size = |(power, part): (usize, &f64)| part.abs() * stretch.length().powi(power as i32);
+    let largest = |symbol: &Symbol, kind: &Range<usize>| {
         let alike = both.iter().flatten().filter(|(other, _)| other.dimension == symbol.dimension);
-        alike.map(|(_, powers)| powers[0].abs()).fold(0.0, f64::max)
+        let of_kind =
+            alike.flat_map(|(_, powers)| powers.iter().enumerate()).filter(|one| kind.contains(&one.0));
+        of_kind.map(size).fold(0.0, f64::max)
     };
-    let largest: Vec<[f64; 2]> =
-        both.iter().map(|both| both.each_ref().map(|(symbol, _)| largest(symbol))).collect();
-    // What is nothing beside the others of its kind is none.
-    for ((_, powers), largest) in both.iter_mut().flatten().zip(largest.into_iter().flatten()) {
-        powers[0] = if powers[0].abs() <= ROUNDING * largest { 0.0 } else { powers[0] };
+    let least: Vec<[f64; 2]> = both
+        .iter()
+        .flatten()
+        .map(|(symbol, _)| kinds.each_ref().map(|kind| ROUNDING * largest(symbol, kind)))
+        .collect();
+    for ((_, powers), least) in both.iter_mut().flatten().zip(least) {
+        let is_none = |(power, part): (usize, &f64)| size((power, part)) <= least[power.min(1)];
+        *powers = powers.iter().enumerate().map(|one| if is_none(one) { 0.0 } else { *one.1 }).collect();
     }
     let is_one = study.model.bodies.len() == 1;
     let shown = both.iter().flat_map(|both| match (has_powers(&both[0].1, 1), is_one) {
