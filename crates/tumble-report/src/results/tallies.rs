@@ -122,9 +122,11 @@ fn impulse(run: &Run, place: &str, count: Count, axis: &str) -> Option<Tally> {
     let rounding =
         |axis: usize| Trust::rounding_at(run, &normal[axis], (contact.start, Side::Before)).ok()?;
     let turned = rounding(0)?.hypot(rounding(1)?);
-    // From there on bounces are not followed one by one.
-    let is_zeno = |one: &Happening| matches!(one, Happening::Contact { change: Change::Zeno, .. });
-    let is_infinite = at().any(|event| event.record.happened.iter().any(is_zeno));
+    // From there on bounces are not followed one by one, and those after them have other numbers than they would have.
+    let begins = at().any(|event| event.record.zeno_sequences().next().is_some());
+    let mut ended = sequences(run, |time| time <= contact.start);
+    let is_numbered = matches!(count, Count::Nth(_));
+    let is_infinite = begins || (is_numbered && ended.any(|(pair, _)| is_part(&pairs[pair].name, place)));
     let kind = if is_infinite { Kind::Infinite } else { Kind::Impulse(contact.start) };
     Some(Tally { value, blur: (ROUNDING + turned) * size, kind })
 }

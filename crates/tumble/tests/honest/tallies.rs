@@ -32,18 +32,19 @@ fn nobody_counts_to_infinity() {
     assert!(found[2].error.is_some_and(|error| error < 1e-12), "{found:?}");
 }
 
-/// Where bounces are followed no more, there is one impulse of all that are left.
+/// Where bounces are followed no more, there is one impulse of all that are left, and what comes after them has no number.
 #[test]
 fn an_impulse_of_bounces_that_are_not_followed_is_not_that_of_one() {
     let ball = "[body.ball]\nball = { radius = \"10 cm\" }\nmass = \"1 kg\"\nstart = { at = [0, \"1.35 m\"] }\n\
                 [surface.floor]\nthrough = [0, 0]\nrigid = { restitution = 0.5 }\n";
-    let asked = ["floor.contact[25].impulse.y", "floor.contact[26].impulse.y"];
+    let asked = [25, 26, 27].map(|number| format!("floor.contact[{number}].impulse.y"));
+    let asked: Vec<&str> =
+        asked.iter().map(String::as_str).chain(["floor.contact[last].impulse.y"]).collect();
     let found = scene(ball).heavy().until("3 s").run(&asked).finds;
     let truth = 1.5 * 0.5_f64.powi(24) * (2.0 * 9.81 * 1.25_f64).sqrt();
-    assert!(
-        (found[0].value - truth).abs() <= found[0].error.expect("known") && found[1].error.is_none(),
-        "{found:?}"
-    );
+    assert!((found[0].value - truth).abs() <= found[0].error.expect("known"), "{found:?}");
+    assert!(found[1].error.is_none() && found[2].error.is_none(), "{found:?}");
+    assert_eq!((found[3].value, found[3].error), (0.0, Some(0.0)), "what lasts begins without an impact");
 }
 
 /// Friction of a ball that rolls up a compliant wall is greatest as it ceases to slide, and jumps there.
