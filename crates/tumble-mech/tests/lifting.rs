@@ -3,7 +3,9 @@
 use crate::common::{at, close, rigid, run};
 use tumble_expr::units::{KG, M, N, S};
 use tumble_expr::{Expr, Relation, Vector};
-use tumble_mech::{Action, Body, Event, Extreme, Gravity, Model, Run, Shape, Start, Surface, time};
+use tumble_mech::{
+    Action, Anchor, Body, Event, Extreme, Gravity, Model, Run, Shape, Spring, Start, Surface, time,
+};
 use tumble_ode::{Direction, Side};
 
 /// A box of 1 kg on a floor, lifted by a force in units of its weight, 10 N, for 1 s.
@@ -95,6 +97,66 @@ fn a_floor_lets_go_where_its_force_would_jump_from_zero_to_a_pull() {
         let before = Expr::compare(Relation::Less, time() / S, Expr::from(half));
         let (run, body) = lifted(Expr::select(before, Expr::from(1), Expr::from(2)));
         close(height(&run, &body), 5.0 * (1.0_f64 - half).powi(2), 1e-12);
+    }
+}
+
+/// A weight without size, so that nothing but its rounding tells a length, is drawn off the floor by a spring that is drawn out at its top: with m
+/// y'' = k (u t - y) - m g it leaves at t1 = m g/(k u), with y = u (s - sin(w s)/w) from then on, w^2 = k/m.
+#[test]
+fn what_has_no_size_stands_until_a_spring_lifts_it() {
+    let (m, k, u, g) = (1.3, 21.0, 0.3, 9.81);
+    let mut model = Model::new();
+    model.gravity = Gravity::Vertical(g * M / (S * S));
+    let weight = model.add(Body::point("weight").mass(m * KG));
+    let top = Vector::planar(0 * M, 1 * M + u * M / S * time());
+    model.interact(Spring {
+        name: "spring".into(),
+        ends: [Anchor::Material(weight.cm()), Anchor::World(top)],
+        stiffness: k * N / M,
+        rest_length: 1 * M,
+        damping: 0 * KG / S,
+    });
+    model.surface(Surface::floor("floor", 0 * M, rigid(0.5)));
+    let run = run(model, 3.0, 1e-12);
+    let left = m * g / (k * u);
+    assert!(run.contacts().iter().all(|contact| (contact.end - left).abs() < 1e-12), "{:?}", run.contacts());
+    let (w, after) = ((k / m).sqrt(), 3.0 - left);
+    let [height] = at(&run, 3.0, [weight.kinematics().position().y().clone()]);
+    close(height, u * (after - (w * after).sin() / w), 1e-12);
+    let steps = run.trajectory().pieces.len();
+    assert!(steps < 50, "{steps} steps");
+}
+
+/// A spring between two presses one of them on a wall until it has its length, and draws it off from then on: there its force, its speed and its acceleration
+/// are all zero.
+#[test]
+fn a_wall_lets_go_of_what_a_spring_draws_off_it() {
+    let (mut model, mut on) = (Model::new(), vec![]);
+    for (name, mass, x) in [("a", 1.0, 0.0), ("b", 2.0, 0.9)] {
+        on.push(model.add(Body::point(name).mass(mass * KG)));
+        model.starts.push((name.into(), Start::default().at([x * M, 0 * M])));
+    }
+    model.interact(Spring {
+        name: "spring".into(),
+        ends: [Anchor::Material(on[0].cm()), Anchor::Material(on[1].cm())],
+        stiffness: 100 * N / M,
+        rest_length: 1 * M,
+        damping: 0 * KG / S,
+    });
+    let wall = Surface::new("wall", [0 * M, 0 * M], [1.into(), 0.into()], rigid(0.5));
+    model.surface(Surface { on: Some(vec!["a".into()]), ..wall });
+    // Of both the centre goes on at 2/3 of the speed of b, and they swing about it.
+    let left = std::f64::consts::FRAC_PI_2 * 0.02_f64.sqrt();
+    let speed = 0.1 * 50.0_f64.sqrt();
+    let expected = 2.0 / 3.0 * speed * (1.0 - (150.0_f64.sqrt() * (1.0 - left)).cos());
+    for digits in 5..=13 {
+        let accuracy = 10_f64.powi(-digits);
+        let run = run(model.clone(), 1.0, accuracy);
+        let [velocity] = at(&run, 1.0, [on[0].kinematics().velocity().x().clone()]);
+        close(velocity, expected, 10.0 * accuracy);
+        for contact in run.contacts() {
+            close(contact.end, left, 10.0 * accuracy);
+        }
     }
 }
 

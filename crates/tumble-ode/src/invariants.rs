@@ -79,10 +79,8 @@ pub(crate) struct Row {
 pub(crate) struct Slack<'a> {
     /// Error that it is allowed, in units of the scales.
     pub(crate) tolerance: f64,
-    /// What each rate was put off by.
-    pub(crate) off: &'a [f64],
-    /// Its length.
-    pub(crate) length: f64,
+    /// What rounding of the rates may have moved each state by.
+    pub(crate) moved: &'a [f64],
     /// Part of each state that rounding may have put it off by.
     pub(crate) rounding: f64,
 }
@@ -158,7 +156,7 @@ impl Invariants {
 
     /// How far the worst is from zero, in units of what is allowed and what rounding of the states makes of it.
     fn excess(&mut self, time: f64, states: &[f64], scales: &Scales) -> f64 {
-        let none = Slack { tolerance: 0.0, off: &[], length: 0.0, rounding: 0.0 };
+        let none = Slack { tolerance: 0.0, moved: &[], rounding: 0.0 };
         self.excess_beyond(time, states, scales, &none, ALLOWED)
     }
 
@@ -184,13 +182,13 @@ impl Invariants {
         self.values.start(time, states, Branches::Free);
         let part = |row: &Row| {
             let scale = scales.of(row.group);
-            let off = row.states.iter().enumerate().map(|(index, state)| {
-                let off = slack.off.get(*state).copied().unwrap_or(0.0).abs() * slack.length;
+            let moved = row.states.iter().enumerate().map(|(index, state)| {
+                let moved = slack.moved.get(*state).copied().unwrap_or(0.0);
                 self.values.value_of(row.output + 1 + index).abs()
-                    * (off + slack.rounding * states[*state].abs())
+                    * (moved + slack.rounding * states[*state].abs())
             });
             let least = if row.follows { allowed_to_follow } else { ALLOWED };
-            let allowed = least.max(OF_TOLERANCE * slack.tolerance) * scale + off.sum::<f64>();
+            let allowed = least.max(OF_TOLERANCE * slack.tolerance) * scale + moved.sum::<f64>();
             if scale == 0.0 { 0.0 } else { self.values.value_of(row.output).abs() / allowed }
         };
         self.rows.list.iter().map(part).fold(0.0, f64::max)

@@ -235,15 +235,15 @@ impl Equations {
     /// Whether loads that are none now press two together a moment later that touch without speed.
     fn begins_to_press(&self, index: usize, island: &[usize], now: Now<'_>, jump: &Jump<Mode>) -> bool {
         let later = now.a_moment_later();
-        let touch = self.touch(island, &jump.mode, &self.moved(island, later.time - now.time, jump), later);
+        let touch = self.touch(island, &jump.mode, &self.moved(later.time - now.time, jump), later);
         let then = touch.ok().and_then(|touch| Some((touch.free[touch.position(index)?], touch.strength)));
         then.is_some_and(|(then, strength)| then < -BALANCED * strength)
     }
 
-    /// The states a moment later, as bodies move now.
-    pub(crate) fn moved(&self, island: &[usize], length: f64, jump: &Jump<Mode>) -> Vec<f64> {
+    /// The states a moment later, as bodies move now: all, since springs of others may press on these.
+    pub(crate) fn moved(&self, length: f64, jump: &Jump<Mode>) -> Vec<f64> {
         let mut states = jump.states.clone();
-        for body in island {
+        for body in &jump.mode.bodies {
             let places = self.coordinate_states(&jump.mode, *body).into_iter();
             for (place, rate) in places.zip(self.velocity_states(&jump.mode, *body)) {
                 states[place] += length * jump.states[rate];

@@ -104,16 +104,29 @@ impl<H: Hybrid> Solver<'_, H> {
                 expansion.states.iter().map(|series| polynomial::value(series, step.length)).collect();
             let mut scales = self.scales.clone();
             scales.watch(system, &end);
-            let slack = Slack {
-                tolerance: self.tolerance,
-                off: &self.off,
-                length: step.length,
-                rounding: f64::EPSILON,
-            };
+            let moved = self.moved_by_rounding(mode, step.length);
+            let slack = Slack { tolerance: self.tolerance, moved: &moved, rounding: f64::EPSILON };
+            let Engine { invariants, .. } = &mut self.engines[mode];
             let drift = invariants.excess_of_step(step.end, &end, &scales, &slack);
             verdict = verdict.or(Verdict { excess: drift, state: 0 });
         }
         verdict
+    }
+
+    /// What rounding of the rates may move each state by in a step of that length: a place whose rate is a velocity is moved by what the
+    /// acceleration is off by too, though both are zero where it starts.
+    fn moved_by_rounding(&self, mode: usize, length: f64) -> Row {
+        let off = |state: usize| {
+            let drawn = self.off.get(state).map_or(0.0, |off| off.abs());
+            drawn.max(self.noise.rates[state])
+        };
+        let tape = &self.engines[mode].system.tape;
+        let moved = |state: usize| {
+            let rate = tape.outputs()[state] as usize;
+            let along = if rate < tape.states() { 0.5 * length * off(rate) } else { 0.0 };
+            (off(state) + along) * length
+        };
+        (0..self.states.len()).map(moved).collect()
     }
 
     fn check(&mut self, mode: usize, expansion: &Expansion, step: &Step) -> Verdict {

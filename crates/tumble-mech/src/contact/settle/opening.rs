@@ -59,11 +59,11 @@ impl Settling<'_> {
     }
 
     /// The states a moment later, as bodies move now and are accelerated by what acts, contacts included. How the acceleration of a gap goes on
-    /// depends on both alike: it has squares of velocities in it.
+    /// depends on both alike: it has squares of velocities in it. So do those that no contact joins to these, but forces do.
     fn accelerated(&self, length: f64, jump: &Jump<Mode>) -> Result<Vec<f64>, Reason> {
         let (equations, Now { time, inputs, .. }) = (self.equations, self.now);
-        let mut states = equations.moved(&self.island, length, jump);
-        let velocities = equations.velocities_of(&jump.mode, &self.island);
+        let mut states = equations.moved(length, jump);
+        let velocities = equations.velocities_of(&jump.mode, &jump.mode.bodies);
         let rates = equations.state_rates(&jump.mode);
         let rates: Vec<Expr> = velocities.iter().map(|state| rates[*state].rate.clone()).collect();
         let accelerations = equations.values(&rates, &jump.mode, time, &jump.states, inputs)?;
