@@ -99,6 +99,17 @@ pub(crate) fn independent(a: &DMatrix<f64>, rows: impl IntoIterator<Item = usize
     })
 }
 
+/// Of some rows those that cannot move while others do not.
+pub(crate) fn following(
+    a: &DMatrix<f64>,
+    others: impl IntoIterator<Item = usize>,
+    some: &[usize],
+) -> Vec<usize> {
+    let kept = independent(a, others);
+    let follows = |row: &usize| independent(a, kept.iter().copied().chain([*row])).len() == kept.len();
+    some.iter().copied().filter(follows).collect()
+}
+
 /// Whether these rows do to each other the same both ways, but for rounding.
 pub(crate) fn is_symmetric(a: &DMatrix<f64>, rows: &[usize]) -> bool {
     let differ = |i: usize, j: usize| (a[(i, j)] - a[(j, i)]).abs();

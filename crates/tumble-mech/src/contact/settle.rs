@@ -19,7 +19,7 @@ use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
 use crate::contact::change::Change;
-use crate::contact::complementarity::{pushing, standing};
+use crate::contact::complementarity::{following, pushing, standing};
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::Way;
 use crate::contact::touch::{Now, Touch};
@@ -116,6 +116,8 @@ struct Settling<'a> {
     rebounding: Vec<usize>,
     /// Those that open though nothing of it is seen yet but rounding.
     opening: Vec<usize>,
+    /// Those whose force has come to zero, and that others keep where they are.
+    staying: Vec<usize>,
     /// Those that touch at the ends of their edges and move beyond these.
     beyond: Vec<usize>,
     /// Speeds before the impact, by position: what rounding after it is relative to.
@@ -243,6 +245,7 @@ impl<'a> Settling<'a> {
             is_unresolved: false,
             rebounding: vec![],
             opening: vec![],
+            staying: vec![],
             beyond: vec![],
         }
     }
@@ -292,6 +295,9 @@ impl<'a> Settling<'a> {
             members.iter().partition(|position| lifted(position));
         if !lifted.is_empty() {
             let [opening, closing] = self.a_moment_later(&lifted, &without, touched, jump);
+            let goes = |position: &usize| opening.contains(position) || closing.contains(position);
+            let stays: Vec<usize> = lifted.iter().copied().filter(|position| !goes(position)).collect();
+            self.staying = following(self.touch.pushes(), without.iter().copied(), &stays);
             self.opening = opening;
             without.extend(closing);
             without.sort_unstable();
@@ -327,11 +333,10 @@ impl<'a> Settling<'a> {
             return None;
         }
         let held: Vec<usize> = set.into_iter().map(|index| some[index]).collect();
+        let may_stay = |position: &usize| some.contains(position) || self.staying.contains(position);
         let contact_mode = |position: &usize| match held.contains(position) {
             true => Some((*position, ContactMode::Resting)),
-            false if then[*position] <= zero && some.contains(position) => {
-                Some((*position, ContactMode::Idle))
-            }
+            false if then[*position] <= zero && may_stay(position) => Some((*position, ContactMode::Idle)),
             false => None,
         };
         Some((all.iter().filter_map(contact_mode).collect(), then))

@@ -234,10 +234,13 @@ impl Equations {
 
     /// Whether loads that are none now press two together a moment later that touch without speed.
     fn begins_to_press(&self, index: usize, island: &[usize], now: Now<'_>, jump: &Jump<Mode>) -> bool {
-        let later = now.a_moment_later();
-        let touch = self.touch(island, &jump.mode, &self.moved(later.time - now.time, jump), later);
-        let then = touch.ok().and_then(|touch| Some((touch.free[touch.position(index)?], touch.strength)));
-        then.is_some_and(|(then, strength)| then < -BALANCED * strength)
+        let acceleration = |later: Now<'_>| {
+            let states = self.moved(later.time - now.time, jump);
+            let touch = self.touch(island, &jump.mode, &states, later).ok()?;
+            let then = touch.free[touch.position(index)?];
+            (then.abs() > BALANCED * touch.strength).then_some(then)
+        };
+        now.moments().find_map(acceleration).is_some_and(|then| then < 0.0)
     }
 
     /// The states a moment later, as bodies move now: all, since springs of others may press on these.

@@ -37,12 +37,16 @@ pub(crate) struct Now<'a> {
 const MOMENT: [f64; 2] = [1e-4, 1e-9];
 /// A moment at the start, s, where nothing says how long anything takes: loads are smooth in it.
 const FIRST_MOMENT: f64 = 1e-9;
+/// Moments to look at, one after the other: what a load is after the last is still small beside what it will be.
+const LATER: [f64; 3] = [1.0, 1e2, 1e4];
 
 impl<'a> Now<'a> {
-    /// So little later that nothing has moved, and so much that loads that were none are some.
-    pub(crate) fn a_moment_later(&self) -> Self {
-        let length = (MOMENT[0] * (self.time - self.since)).max(MOMENT[1] * self.time);
-        Self { time: self.time + if length > 0.0 { length } else { FIRST_MOMENT }, ..*self }
+    /// So little later that nothing has moved, and so much that loads that were none are some; then later, for loads that grow more slowly.
+    pub(crate) fn moments(self) -> impl Iterator<Item = Self> {
+        LATER.into_iter().map(move |times| {
+            let length = (MOMENT[0] * (self.time - self.since)).max(times * MOMENT[1] * self.time);
+            Self { time: self.time + if length > 0.0 { length } else { times * FIRST_MOMENT }, ..self }
+        })
     }
 
     pub(crate) fn of(at: &Crossing<'a, Mode>) -> Self {

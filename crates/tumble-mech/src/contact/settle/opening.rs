@@ -18,44 +18,63 @@ const NOTHING: f64 = 1e-2;
 /// leads away, stays as it is.
 const ROUNDED: f64 = 16.0 * f64::EPSILON;
 
-impl Settling<'_> {
+/// Those that open, and those that close.
+type Parted = [Vec<usize>; 2];
+
+impl<'a> Settling<'a> {
     /// Of some contacts whose force has just come to zero, those that open a moment later, if some others bear what there is to bear, and those
-    /// that would close.
+    /// that would close; by the first moment at which what they do is more than rounding.
     pub(super) fn a_moment_later(
         &self,
         lifted: &[usize],
         others: &[usize],
         touched: &Touched,
         jump: &Jump<Mode>,
-    ) -> [Vec<usize>; 2] {
-        let nothing = || [vec![], vec![]];
-        let now = self.now.a_moment_later();
-        let states = self.accelerated(now.time - self.now.time, jump);
-        let later = states.and_then(|states| self.equations.touch(&self.island, &jump.mode, &states, now));
-        let Ok(later) = later else { return nothing() };
+    ) -> Parted {
+        let mut found = Parted::default();
+        for now in self.now.moments() {
+            let Some((parted, is_seen)) = self.parted_at(now, [lifted, others], touched, jump) else { break };
+            found = parted;
+            if is_seen {
+                break;
+            }
+        }
+        found
+    }
+
+    /// The same at one moment, with whether that can be seen of all of them.
+    fn parted_at(
+        &self,
+        now: Now<'a>,
+        [lifted, others]: [&[usize]; 2],
+        touched: &Touched,
+        jump: &Jump<Mode>,
+    ) -> Option<(Parted, bool)> {
+        let states = self.accelerated(now.time - self.now.time, jump).ok()?;
+        let later = self.equations.touch(&self.island, &jump.mode, &states, now).ok()?;
         if later.pairs != self.touch.pairs {
-            return nothing();
+            return None;
         }
         let later = Self::before(self.equations, &self.island, later, now);
         if self.is_rough() {
             // What slips is as it is now: what sticks has no slip a moment later either.
             let held =
                 |some: &[usize]| later.forces(some, &self.slipping_patches(some, touched, jump)).solve();
-            return later.parted(lifted, others, held).unwrap_or_else(nothing);
+            return later.parted(lifted, others, held);
         }
         let mut then = later.touch.free.clone();
         if !others.is_empty() {
             // A push that is across a surface now may lead off it then.
-            let bears = pushing(&later.pushes(others), &later.some(others, &then));
-            let Some((_, push)) = bears else { return nothing() };
+            let (_, push) = pushing(&later.pushes(others), &later.some(others, &then))?;
             then += (later.touch.pushes() * later.whole(others, &push)).rows(0, then.len());
         }
         let is_all = |position: &&usize| {
             let then = then[**position].abs();
             self.touch.free[**position].abs() <= NOTHING * then && then > ROUNDED * later.touch.strength
         };
+        let is_seen = lifted.iter().all(|position| then[*position].abs() > later.zero());
         let (opens, closes) = lifted.iter().filter(is_all).partition(|position| then[**position] > 0.0);
-        [opens, closes]
+        Some(([opens, closes], is_seen))
     }
 
     /// The states a moment later, as bodies move now and are accelerated by what acts, contacts included. How the acceleration of a gap goes on
@@ -80,15 +99,18 @@ impl Settling<'_> {
         lifted: &[usize],
         others: &[usize],
         held: impl Fn(&[usize]) -> Option<Pushes>,
-    ) -> Option<[Vec<usize>; 2]> {
+    ) -> Option<(Parted, bool)> {
         let closes = |found: &Pushes| lifted.iter().any(|position| found.then[*position] < -self.zero());
         let mut all = [lifted, others].concat();
         all.sort_unstable();
         let found = held(others).filter(|found| !closes(found)).or_else(|| held(&all))?;
         let presses = |position: &usize| found.held.contains(position);
         let opens = |position: &usize| found.then[*position] > 0.0;
+        let pressed = |position: usize| found.pushes[position] * self.touch.pushes()[(position, position)];
+        let is_seen =
+            lifted.iter().all(|position| found.then[*position].max(pressed(*position)) > self.zero());
         let (closes, others): (Vec<usize>, Vec<usize>) =
             lifted.iter().partition(|position| presses(position));
-        Some([others.into_iter().filter(opens).collect(), closes])
+        Some(([others.into_iter().filter(opens).collect(), closes], is_seen))
     }
 }

@@ -319,7 +319,8 @@ impl Settling<'_> {
             false if found.then[*position] <= zero => Some((*position, ContactMode::Idle)),
             false => None,
         };
-        let modes = some.iter().filter_map(contact_mode).collect();
+        let staying = self.staying.iter().filter(|position| !some.contains(position));
+        let modes = some.iter().chain(staying).filter_map(contact_mode).collect();
         let stop = self.rough(&found.held, patches, self.rates());
         let stop = stop.stopped(&found.grips, &found.held).ok_or_else(|| self.unsolved("contact"))?;
         self.stop(&stop.pushes, jump)?;

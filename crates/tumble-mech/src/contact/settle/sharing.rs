@@ -7,7 +7,7 @@
 use nalgebra::DVector;
 
 use super::Settling;
-use crate::contact::complementarity::independent;
+use crate::contact::complementarity::following;
 use crate::contact::grip::{Grip, Way};
 use crate::contact::sticking::{MOST_TRIED, Patch, Pushes, Rough};
 use crate::mode::Mode;
@@ -158,6 +158,5 @@ fn is_loose(grip: Grip) -> bool {
 
 /// Whether a row cannot move while those that are held do not.
 fn follows(rough: &Rough<'_>, found: &Pushes, row: usize) -> bool {
-    let kept = independent(rough.response, found.held.iter().chain(&found.holding).copied());
-    independent(rough.response, kept.iter().copied().chain([row])).len() == kept.len()
+    !following(rough.response, found.held.iter().chain(&found.holding).copied(), &[row]).is_empty()
 }
