@@ -338,15 +338,19 @@ impl Engine {
         self.branch_signs.sides_are_carried &= length == 0.0;
     }
 
-    /// Refuses a step at the end of which a guard is beyond zero that the flow holds on one side of only.
+    /// Refuses a step at the end of which a guard is beyond zero that the flow holds on one side of only, and that has not ended it: one that has is
+    /// zero there by its value, and by its series but for what the accuracy leaves out of that.
     pub(crate) fn refuse_beyond(
         &self,
         expansion: &Expansion,
-        length: f64,
+        (length, hits): (f64, &Hits),
         scales: &Scales,
     ) -> Result<(), Reason> {
         for (guard, series) in expansion.guards.iter().enumerate() {
             let Limit::Kept(group) = self.system.guard_limits[guard] else { continue };
+            if hits.contains(&Hit::Guard(guard)) {
+                continue;
+            }
             let end = value(series, length);
             if self.system.guard_directions[guard].allows(end) && end.abs() > KEPT * scales.of(group) {
                 return Err(Reason::Beyond { guard: self.system.guard_names[guard].clone() });

@@ -308,7 +308,7 @@ impl<'a, H: Hybrid> Solver<'a, H> {
         let work = &mut self.trajectory.work;
         let engine = &mut self.engines[mode];
         engine.look_back(expansion, step.length);
-        engine.refuse_beyond(expansion, step.length, &self.scales)?;
+        engine.refuse_beyond(expansion, (step.length, &step.hits), &self.scales)?;
         if step.length > 0.0 {
             self.at_once = 0;
             engine.leave_start();
