@@ -5,9 +5,10 @@ use std::ops::ControlFlow;
 
 use crate::common::{bouncing_rod, hinged_rod, number, reference, rigid, spring, wind_pendulum};
 use tumble_expr::units::{KG, M, N, S};
-use tumble_expr::{Exponent, Expr};
+use tumble_expr::{Exponent, Expr, Vector};
 use tumble_mech::{
-    Body, ContactLaw, Divergence, Friction, Gravity, Model, Release, Run, RunError, Start, Surface, Trust,
+    Body, ContactLaw, Divergence, Friction, Gravity, Model, Release, Run, RunError, Shape, Start, Surface,
+    Trust,
 };
 use tumble_ode::{Accuracy, Reason};
 
@@ -310,5 +311,32 @@ fn of_balls_that_roll_as_they_come_down() {
         );
         assert!(run.contacts()[0].end > run.contacts()[0].start, "{step}");
         assert!(trust.horizon.is_none(), "{step}: {:?}", trust.horizon);
+    }
+}
+
+/// What touches at the start does so by the scene: a box that stands on a floor and turns from the start is struck at the corner that it turns on, at once. With
+/// P (1/m + w^2/(4 I)) = -omega w/2 and no rebound, omega changes by P w/(2 I), whatever the other corner does.
+#[test]
+fn what_touches_at_the_start_strikes_then() {
+    let (mass, width, height, omega) = (2.97, 0.348, 0.416, -7.343);
+    for restitution in [0.0, 0.3, 0.7, 1.0] {
+        let mut model = Model::new();
+        model.gravity = Gravity::Vertical(9.81 * M / (S * S));
+        let shape = Shape::Box { centre: Vector::planar(0 * M, 0 * M), width: width * M, height: height * M };
+        let body = model.add(Body::of_shape("box", shape).mass(mass * KG));
+        let start = Start::default().at([0.1 * M, height / 2.0 * M]).omega(omega / (1 * S));
+        model.starts.push(("box".into(), start));
+        model.surface(Surface::floor("floor", 0 * M, rigid(restitution)));
+        let (run, trust) = trusted(&model, 0.01, 1e-9);
+        let arm = width / 2.0;
+        let inertia = mass * (width * width + height * height) / 12.0;
+        let push = -(1.0 + restitution) * omega * arm / (1.0 / mass + arm * arm / inertia);
+        let after = tumble_mech::At { time: 0.0, side: tumble_ode::Side::After, off: 0.0 };
+        let found = body.kinematics().omega();
+        let error = trust.error_at(&run, &found, after).expect("a formula").expect("digits");
+        let value = run.at(0.0).expect("an instant").values([found]).expect("a value")[0];
+        let expected = omega + push * arm / inertia;
+        assert!((value - expected).abs() <= error && error < 1e-12, "{value} +- {error}, {expected}");
+        assert!(trust.horizon.is_none(), "{restitution}: {:?}", trust.horizon);
     }
 }

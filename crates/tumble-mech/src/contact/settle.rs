@@ -127,7 +127,7 @@ struct Settling<'a> {
 }
 
 /// Whether one that touches but for rounding has not been further away since the event before this one: impacts of several bodies that follow each
-/// other ever faster come to that, and which of them is the next is then unknown.
+/// other ever faster come to that, and which of them is the next is then unknown. What touches at the start does so by the scene, all at once.
 fn is_unresolved(
     equations: &Equations,
     touch: &Touch,
@@ -151,7 +151,7 @@ fn is_unresolved(
             && jump.mode.contact_mode(pair).is_none()
     };
     let near: Vec<usize> = (0..touch.pairs.len()).filter(is_near).collect();
-    near.iter().any(|position| !strikes(*position)) || near.len() > 1
+    near.iter().any(|position| !strikes(*position)) || (near.len() > 1 && now.time > 0.0)
 }
 
 impl Lasting {
