@@ -19,7 +19,7 @@ use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
 use crate::contact::change::Change;
-use crate::contact::complementarity::{pushing, standing};
+use crate::contact::complementarity::{moved, pushing, standing};
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::Way;
 use crate::contact::touch::{Now, Touch};
@@ -290,9 +290,14 @@ impl<'a> Settling<'a> {
         let lifted = |position: &usize| is_calm && touched.lifted.contains(&self.touch.pairs[*position]);
         let (lifted, mut without): (Vec<usize>, Vec<usize>) =
             members.iter().partition(|position| lifted(position));
-        if !lifted.is_empty() {
-            let [opening, closing] = self.a_moment_later(&lifted, &without, touched, jump);
+        // Others that bear nothing may open with them, or where friction gives way: else each would seem to take over for no time.
+        let is_idle = |position: &usize| self.bears_nothing(*position, &jump.mode);
+        let idle: Vec<usize> =
+            without.iter().copied().filter(|position| is_calm && is_idle(position)).collect();
+        if !lifted.is_empty() || (!idle.is_empty() && !touched.broken.is_empty()) {
+            let [opening, closing, loose] = self.a_moment_later([&lifted, &idle], &without, touched, jump);
             self.opening = opening;
+            without.retain(|position| !self.opening.contains(position) && !loose.contains(position));
             without.extend(closing);
             without.sort_unstable();
         }
@@ -316,13 +321,22 @@ impl<'a> Settling<'a> {
         Ok(Some(lasting))
     }
 
+    /// Whether a rigid contact touches, and had no force so far.
+    fn bears_nothing(&self, position: usize, mode: &Mode) -> bool {
+        let pair = self.touch.pairs[position];
+        self.equations.pairs()[pair].is_rigid()
+            && mode.contact_mode(pair).is_none_or(|contact_mode| contact_mode == ContactMode::Idle)
+    }
+
     /// Of some contacts that stand still, those that are held and those that then stay by themselves, with the
     /// accelerations of all gaps; `None` if one of `all` would close.
     fn hold(&self, some: &[usize], all: &[usize]) -> Option<Held> {
-        let (set, push) = pushing(&self.pushes(some), &self.some(some, &self.touch.free))?;
-        let push = self.whole(some, &push);
-        let then = self.accelerations() + self.touch.pushes() * push;
+        // Rounding does not say who presses.
         let zero = self.zero();
+        let free = self.accelerations().map(|own| if own.abs() > zero { own } else { 0.0 });
+        let (set, push) = pushing(&self.pushes(some), &self.some(some, &free))?;
+        let push = self.whole(some, &push);
+        let then = moved(self.touch.pushes(), &free, &push);
         if all.iter().any(|position| then[*position] < -zero) {
             return None;
         }
