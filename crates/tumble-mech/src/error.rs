@@ -223,7 +223,7 @@ pub enum ModelError {
     },
     /// A path that a pivot is moved on with a corner or a jump.
     #[error(
-        "the path of {what} has a branch (abs, sign, step, min, max, if or a table): a corner in it would be a \
+        "the path of {what} has a branch (abs, sign, step, min, max, if or a table): a corner in it would be an \
          impact on the body, which no force stands for; write a smooth path"
     )]
     CorneredPath {
@@ -231,7 +231,7 @@ pub enum ModelError {
         what: String,
     },
     /// A restitution that no impact has.
-    #[error("{what} is {value}: it must lie between 0 and 1")]
+    #[error("{what} is {}: it must lie between 0 and 1", number(*value))]
     Restitution {
         /// Whose it is.
         what: String,
@@ -291,7 +291,7 @@ pub enum ModelError {
         problem: String,
     },
     /// A bowl that is not larger than what is in it.
-    #[error("{what} is less than that of what moves in it, or no more: {less} m are lacking")]
+    #[error("{what} is less than that of what moves in it, or no more: {} m are lacking", number(*less))]
     NoRoom {
         /// What it is.
         what: String,
@@ -321,8 +321,20 @@ pub enum ModelError {
     Empty,
 }
 
+/// Numbers of this size are written without an exponent.
+const PLAIN: std::ops::Range<f64> = 1e-5..1e16;
+
+/// A number for a message, in which many zeros tell nobody anything.
+fn number(value: f64) -> String {
+    if value == 0.0 || PLAIN.contains(&value.abs()) || !value.is_finite() {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
+}
+
 fn quantity(value: f64, unit: &str) -> String {
-    format!("{value} {unit}").trim_end().to_owned()
+    format!("{} {unit}", number(value)).trim_end().to_owned()
 }
 
 /// All mistakes of a model.

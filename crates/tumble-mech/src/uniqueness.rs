@@ -45,6 +45,18 @@ pub struct Spread {
     pub greatest: f64,
 }
 
+/// What a formula may be with one motion.
+struct Range {
+    spread: Spread,
+    /// Whether that is more than places that are kept to some digits could make of it.
+    is_open: bool,
+}
+
+impl Range {
+    const ANY: Self =
+        Self { spread: Spread { least: f64::NEG_INFINITY, greatest: f64::INFINITY }, is_open: true };
+}
+
 /// Where and when.
 #[derive(Clone, Copy)]
 pub(crate) struct Spot<'a> {
@@ -57,14 +69,31 @@ pub(crate) struct Spot<'a> {
 impl Run {
     /// What is open of some formulas of the motion at a time: `None` of what is unique, and outside the motion.
     pub fn spreads(&self, formulas: &[Expr], time: f64, side: Side) -> Result<Vec<Option<Spread>>, RunError> {
-        let mut found = vec![None; formulas.len()];
+        Ok(self.ranges(formulas, time, side)?.into_iter().map(opened).collect())
+    }
+
+    /// How far apart the values are that a formula may have, where they are so near each other that it is told as unique: what holds near its
+    /// limit can be shared in few ways.
+    pub(crate) fn left_open(&self, formula: &Expr, time: f64, side: Side) -> Result<f64, RunError> {
+        if !self.equations.reads_forces(formula) {
+            return Ok(0.0);
+        }
+        let range = self.ranges(std::slice::from_ref(formula), time, side)?.swap_remove(0);
+        Ok(range
+            .filter(|range| !range.is_open)
+            .map_or(0.0, |range| range.spread.greatest - range.spread.least))
+    }
+
+    fn ranges(&self, formulas: &[Expr], time: f64, side: Side) -> Result<Vec<Option<Range>>, RunError> {
+        let mut found: Vec<Option<Range>> = formulas.iter().map(|_| None).collect();
         for (groups, places) in self.grouped(formulas) {
             let motion = self.part(&groups).motion();
             let Some(place) = motion.place_at(time, side) else { continue };
             let own: Vec<Expr> = places.iter().map(|index| formulas[*index].clone()).collect();
             let mode = &motion.modes[place.mode];
-            let spreads = self.equations.spreads(mode, time, &place.states, &self.inputs, &own)?;
-            places.into_iter().zip(spreads).for_each(|(index, spread)| found[index] = spread);
+            let spot = Spot { mode, time, states: &place.states, inputs: &self.inputs };
+            let ranges = self.equations.ranges(spot, &own)?;
+            places.into_iter().zip(ranges).for_each(|(index, range)| found[index] = range);
         }
         Ok(found)
     }
@@ -110,10 +139,13 @@ impl Equations {
         inputs: &[f64],
         formulas: &[Expr],
     ) -> Result<Vec<Option<Spread>>, Reason> {
-        let spot = Spot { mode, time, states, inputs };
-        let Some(open) = self.redundancy(spot)? else { return Ok(vec![None; formulas.len()]) };
-        let reactions = self.reactions(mode);
-        formulas.iter().map(|formula| self.spread(spot, &open, &reactions.apply(formula))).collect()
+        Ok(self.ranges(Spot { mode, time, states, inputs }, formulas)?.into_iter().map(opened).collect())
+    }
+
+    fn ranges(&self, spot: Spot<'_>, formulas: &[Expr]) -> Result<Vec<Option<Range>>, Reason> {
+        let Some(open) = self.redundancy(spot)? else { return Ok(formulas.iter().map(|_| None).collect()) };
+        let reactions = self.reactions(spot.mode);
+        formulas.iter().map(|formula| self.range(spot, &open, &reactions.apply(formula))).collect()
     }
 
     /// What keeps a body: names, and symbols of the forces.
@@ -239,7 +271,7 @@ impl Equations {
     }
 
     /// What is open of a formula in multipliers.
-    fn spread(&self, spot: Spot<'_>, open: &Redundancy, formula: &Expr) -> Result<Option<Spread>, Reason> {
+    fn range(&self, spot: Spot<'_>, open: &Redundancy, formula: &Expr) -> Result<Option<Range>, Reason> {
         let used = formula.symbols();
         if !open.symbols.iter().any(|symbol| used.contains(symbol)) {
             return Ok(None);
@@ -259,7 +291,7 @@ impl Equations {
             // A square of a force has no slope where that is zero: looked at from elsewhere as well.
             let elsewhere: Vec<Expr> = gradient.iter().map(|slope| open.elsewhere().apply(slope)).collect();
             let is_open = slopes.amax() > 0.0 || open.slopes(&values(&elsewhere)?).amax() > 0.0;
-            return Ok(is_open.then_some(Spread { least: f64::NEG_INFINITY, greatest: f64::INFINITY }));
+            return Ok(is_open.then_some(Range::ANY));
         }
         if slopes.amax() == 0.0 {
             return Ok(None);
@@ -276,9 +308,13 @@ impl Equations {
         // Feet that nothing may load are redundant, and bear nothing all the same.
         let is_open = down + up > blur;
         let [least, greatest] =
-            [found - down, found + up].map(|end| if end.abs() > blur { end } else { 0.0 });
-        Ok(is_open.then_some(Spread { least, greatest }))
+            [found - down, found + up].map(|end| if end.abs() > blur || !is_open { end } else { 0.0 });
+        Ok(Some(Range { spread: Spread { least, greatest }, is_open }))
     }
+}
+
+fn opened(range: Option<Range>) -> Option<Spread> {
+    range.filter(|range| range.is_open).map(|range| range.spread)
 }
 
 /// Pairs that stay on a surface without a force.

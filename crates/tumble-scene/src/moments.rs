@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tumble_expr::language::{Formula, Value};
+use tumble_expr::language::{Formula, Value, nearest};
 use tumble_expr::{Dimension, Symbol};
 use tumble_mech::Change;
 
@@ -149,10 +149,13 @@ fn unknown(names: &Names, name: &str, stem: &str, allowed: bool, span: &Span) ->
         let help = crate::suggest::name(stem, "surfaces", surfaces);
         return Some(mistake(Code::UnknownPoint, format!("there is no surface `{stem}`"), help));
     }
-    let events = names.events.iter().map(String::as_str);
-    let near = tumble_expr::language::nearest(stem, events).filter(|_| allowed && !name.contains('.'))?;
     let known = Code::Formula(tumble_expr::language::Code::UnknownName);
-    Some(mistake(known, format!("nothing is named `{stem}`"), format!("did you mean the event \"{near}\"?")))
+    let (word, near) = match name.contains('.') {
+        true => (name, nearest(name, names.happenings.iter().map(String::as_str))),
+        false => (stem, nearest(stem, names.events.iter().map(String::as_str))),
+    };
+    let near = near.filter(|_| allowed)?;
+    Some(mistake(known, format!("nothing is named `{word}`"), format!("did you mean the event \"{near}\"?")))
 }
 
 /// A change that friction never makes to what touches there, `floor.box.slides`.

@@ -24,7 +24,8 @@ impl Places {
     /// Where something stands; at least where its section does, or that of what it is a part of.
     fn find(&self, what: &str) -> Option<&Span> {
         let names = what.split('`').skip(1).step_by(2);
-        self.get(what).or_else(|| names.into_iter().find_map(|name| self.owner(name)))
+        self.get(what)
+            .or_else(|| names.into_iter().find_map(|name| self.owner(name).or_else(|| self.get(name))))
     }
 
     /// The section of the longest part of a name such as `floor.rod.tip` that has one.

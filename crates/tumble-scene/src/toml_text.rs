@@ -32,7 +32,10 @@ fn syntax(text: &str, span: Span, message: &str) -> Diagnostic {
     let mistake = |what: &str| Diagnostic::new(Code::Toml, span.clone(), format!("this is not TOML: {what}"));
     match unquoted(line_around(text, span.start)) {
         Some(cure) => mistake("a text stands without its quotes").help(cure),
-        None => mistake(message),
+        None => match foreign(text.get(span.clone()).unwrap_or_default()) {
+            Some(cure) => mistake(message).help(cure),
+            None => mistake(message),
+        },
     }
 }
 
@@ -45,6 +48,14 @@ fn line_around(text: &str, at: usize) -> &str {
 
 fn floor(text: &str, at: usize) -> usize {
     (0..=at.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
+}
+
+/// A name in letters that are not Latin, which TOML knows in quotes only.
+fn foreign(name: &str) -> Option<String> {
+    let is_name = !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '_');
+    (is_name && !name.is_ascii()).then(|| {
+        format!("TOML wants quotes about letters that are not Latin: write `\"{name}\"`, as in `[body.\"{name}\"]`")
+    })
 }
 
 /// The commonest slip: a quantity or formula without its quotes.

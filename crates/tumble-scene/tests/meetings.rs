@@ -78,6 +78,27 @@ const MISTAKES: &[Row] = &[
         "E0521 ledge.crate.rolls",
         "`ledge.crate.slides`",
     ),
+    (
+        "[run]",
+        "[find.x]\nthat = \"ball.x\"\nat = \"ledge.crate.slide\"\n[run]",
+        "E0301 ledge.crate.slide",
+        "did you mean the event \"ledge.crate.slides\"?",
+    ),
+    (
+        "[run]",
+        "[find.x]\nthat = \"hits.crate.ball.normal\"\n[run]",
+        "E0301 hits.crate.ball.normal",
+        "did you mean `hits.ball.crate.normal`?",
+    ),
+    ("[body.bar]", "[body.шар]", "E0501 шар", "[body.\"шар\"]"),
+    ("mass = \"2 kg\"", "mass = \"1e308 kg\"", "E0545 \"9.81 m/s^2\"", "a force must be a finite number"),
+    ("on = \"ball\"", "on = []", "E0530 []", "leave `on` out"),
+    (
+        "restitution = 0.9",
+        "restitution = -1e-300",
+        "E0530 -1e-300",
+        "is -1e-300: it must lie between 0 and 1",
+    ),
     ("friction = 0.6", "friction = -0.6", "E0530 -0.6", "must not be negative"),
     ("kinetic = 0.3", "kinetic = 0.5", "E0530 0.4", "one number for both"),
     ("friction = 0.6", "friction = 0.6, rolling = \"-1 mm\"", "E0530 \"-1 mm\"", "must not be negative"),
@@ -161,6 +182,7 @@ const MISTAKES: &[Row] = &[
     ("start = { at = [0, \"0.6 m\"] }", "start = { at = [0, \"0.59 m\"] }", "E0539 start", "m farther out"),
     ("start = { at = [0, \"1 m\"] }", "start = { at = [0, \"0.7 m\"] }", "E0539 start", "m farther apart"),
     ("radius = \"9 m\"", "radius = \"4 cm\"", "E0530 \"4 cm\"", "make the bowl larger"),
+    ("radius = \"9 m\"", "radius = \"5 cm\"", "E0530 \"5 cm\"", ": 0 m are lacking"),
 ];
 
 /// Quantities and instants of friction are those of whoever has it: the ball alone on the bowl, the bar alone on the drum.

@@ -68,11 +68,23 @@ pub fn nearest<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) -> Opti
     let near = words.into_iter().take(MOST_WORDS).filter(fits).take(MOST_COMPARED);
     let folded = word.to_lowercase();
     // Of words as near the one is meant that has more capitals in common.
-    let scored = near.map(|known| {
-        (damerau_levenshtein(&folded, &known.to_lowercase()), damerau_levenshtein(word, known), known)
-    });
+    let slips = |known: &str| match is_reordered(&folded, known) {
+        true => 0,
+        false => damerau_levenshtein(&folded, known),
+    };
+    let scored = near.map(|known| (slips(&known.to_lowercase()), damerau_levenshtein(word, known), known));
     let (least, _, best) = scored.min_by_key(|(least, exact, _)| (*least, *exact))?;
     (least <= allowed).then_some(best)
+}
+
+/// Whether two names have the same parts, `c.red.white` and `c.white.red`.
+fn is_reordered(one: &str, other: &str) -> bool {
+    let parts = |name: &str| {
+        let mut parts: Vec<String> = name.split('.').map(str::to_owned).collect();
+        parts.sort_unstable();
+        parts
+    };
+    one.len() == other.len() && parts(one) == parts(other)
 }
 
 fn begins_like(word: &str, known: &str) -> bool {
@@ -102,6 +114,7 @@ mod tests {
         assert_eq!(nearest("gravty"), Some("gravity"));
         assert_eq!(nearest("rod.anlge"), Some("rod.angle"));
         assert_eq!(nearest("M"), Some("m"));
+        assert_eq!(super::nearest("c.white.red.gap", ["c.red.white.gap"]), Some("c.red.white.gap"));
         assert_eq!(super::nearest("TT", ["t", "T"]), Some("T"));
         assert_eq!(nearest("x"), None);
         assert_eq!(nearest("trod.angle"), None, "the first letter is rarely a slip");

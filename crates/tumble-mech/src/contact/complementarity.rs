@@ -16,6 +16,8 @@ pub(crate) const ZERO: f64 = 1e-11;
 pub(crate) const DEPENDENT: f64 = 1e-9;
 /// Rounding leaves no more than this part of the numbers that a pivot is the difference of: each has passed through some tens of operations.
 const PIVOT_ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// What is this part of its terms is none but for rounding: pushes stop what they hold to some tens of rounding errors of what they do there.
+const BALANCES: f64 = 64.0 * f64::EPSILON;
 /// What closes slower than the fastest by less than this part closes as fast: which of two feet enters is not left to rounding.
 const AS_FAST: f64 = 1e-6;
 /// Rounds for each contact. Few contacts enter twice; more rounds than this are rounding that goes around in circles.
@@ -123,6 +125,23 @@ pub(crate) fn are_independent(a: &DMatrix<f64>, rows: &[usize]) -> bool {
     let Some(factors) = part.clone().cholesky() else { return false };
     let lower = factors.l_dirty();
     (0..rows.len()).all(|i| lower[(i, i)] * lower[(i, i)] > rounding_of_pivot(&part, lower, i))
+}
+
+/// `b + A z` without what rounding leaves of it, row by row: a light body between heavy ones is pushed by forces that balance, each of which would
+/// do much to it.
+pub(crate) fn moved(a: &DMatrix<f64>, b: &DVector<f64>, z: &DVector<f64>) -> DVector<f64> {
+    let sizes = terms(a, b, z);
+    (b + a * z).zip_map(&sizes, |w, size| if w.abs() > BALANCES * size { w } else { 0.0 })
+}
+
+/// What rounding may leave of each row of `b + A z`.
+pub(crate) fn left_by_rounding(a: &DMatrix<f64>, b: &DVector<f64>, z: &DVector<f64>) -> DVector<f64> {
+    terms(a, b, z) * BALANCES
+}
+
+/// Sizes of what each row of `b + A z` is made of.
+fn terms(a: &DMatrix<f64>, b: &DVector<f64>, z: &DVector<f64>) -> DVector<f64> {
+    b.abs() + a.abs() * z.abs()
 }
 
 /// What of the w is nothing.

@@ -41,7 +41,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::certain::SPARE;
-use crate::contact::complementarity::DEPENDENT;
+use crate::contact::complementarity::{DEPENDENT, moved};
 use crate::contact::grip::{Grip, Way};
 use crate::contact::settle::BALANCED;
 use crate::contact::sticking::{Patch, Pushes, Rough};
@@ -246,7 +246,7 @@ impl Choice<'_> {
     fn ends(&self, line: &Line) -> Ends<Pushes> {
         let response = self.of.response;
         let pushes = self.pushes(&line.unknowns, &self.of.loads);
-        let then = &self.of.without + response * &pushes;
+        let then = moved(response, &self.of.without, &pushes);
         let values = DVector::from_vec(self.conditions(&pushes, &self.of.loads, &then));
         if line.open.is_empty() {
             let holds = values.iter().all(|value| *value >= -self.of.zero);

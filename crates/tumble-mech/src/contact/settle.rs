@@ -19,7 +19,7 @@ use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
 use crate::contact::change::Change;
-use crate::contact::complementarity::{following, pushing, standing};
+use crate::contact::complementarity::{moved, pushing, standing};
 use crate::contact::contact_mode::ContactMode;
 use crate::contact::grip::Way;
 use crate::contact::touch::{Now, Touch};
@@ -288,20 +288,7 @@ impl<'a> Settling<'a> {
         if members.is_empty() && !is_pressed {
             return Ok(Some(Lasting::default()));
         }
-        // An impact at the same instant changes what the forces go on to do: that one was falling says nothing then.
-        let is_calm = self.impulses.amax() == 0.0;
-        let lifted = |position: &usize| is_calm && touched.lifted.contains(&self.touch.pairs[*position]);
-        let (lifted, mut without): (Vec<usize>, Vec<usize>) =
-            members.iter().partition(|position| lifted(position));
-        if !lifted.is_empty() {
-            let [opening, closing] = self.a_moment_later(&lifted, &without, touched, jump);
-            let goes = |position: &usize| opening.contains(position) || closing.contains(position);
-            let stays: Vec<usize> = lifted.iter().copied().filter(|position| !goes(position)).collect();
-            self.staying = following(self.touch.pushes(), without.iter().copied(), &stays);
-            self.opening = opening;
-            without.extend(closing);
-            without.sort_unstable();
-        }
+        let without = self.bearing(&members, touched, jump);
         // What opens does not close, whatever rounding makes of its acceleration now.
         let members: Vec<usize> =
             members.into_iter().filter(|position| !self.opening.contains(position)).collect();
@@ -325,10 +312,12 @@ impl<'a> Settling<'a> {
     /// Of some contacts that stand still, those that are held and those that then stay by themselves, with the
     /// accelerations of all gaps; `None` if one of `all` would close.
     fn hold(&self, some: &[usize], all: &[usize]) -> Option<Held> {
-        let (set, push) = pushing(&self.pushes(some), &self.some(some, &self.touch.free))?;
-        let push = self.whole(some, &push);
-        let then = self.accelerations() + self.touch.pushes() * push;
+        // Rounding does not say who presses.
         let zero = self.zero();
+        let free = self.accelerations().map(|own| if own.abs() > zero { own } else { 0.0 });
+        let (set, push) = pushing(&self.pushes(some), &self.some(some, &free))?;
+        let push = self.whole(some, &push);
+        let then = moved(self.touch.pushes(), &free, &push);
         if all.iter().any(|position| then[*position] < -zero) {
             return None;
         }

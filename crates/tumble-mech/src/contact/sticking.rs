@@ -17,7 +17,9 @@ mod redundant;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::contact::complementarity::{DEPENDENT, independent, pushing, standing, standing_together};
+use crate::contact::complementarity::{
+    DEPENDENT, independent, left_by_rounding, moved, pushing, standing, standing_together,
+};
 use crate::contact::grip::{Grip, Way};
 use crate::product::product;
 
@@ -243,9 +245,10 @@ impl Rough<'_> {
 
     /// Whether no push pulls and nothing closes.
     pub(super) fn pushes_apart(&self, found: &Pushes) -> bool {
+        let slack = self.slack(&found.pushes);
         self.contacts.iter().all(|&contact| {
             let more = found.pushes[contact] - self.given[contact];
-            more * self.response[(contact, contact)] >= -self.zero && found.then[contact] >= -self.zero
+            more >= -slack[contact] && found.then[contact] >= -self.zero
         })
     }
 
@@ -286,7 +289,7 @@ impl Rough<'_> {
                 }
             }
         }
-        let then = &self.without + self.response * &pushes;
+        let then = self.then(&pushes);
         self.patches.iter().map(|patch| self.swept_grip(patch, &pushes, &then)).collect()
     }
 
@@ -387,14 +390,21 @@ impl Rough<'_> {
         pushes[contact] + self.loads[contact]
     }
 
-    /// A push that is none: rounding.
-    fn slack(&self, row: usize) -> f64 {
-        self.zero / self.response[(row, row)].max(f64::MIN_POSITIVE)
+    /// w by z.
+    fn then(&self, pushes: &DVector<f64>) -> DVector<f64> {
+        moved(self.response, &self.without, pushes)
+    }
+
+    /// By row, a push that is none: rounding.
+    fn slack(&self, pushes: &DVector<f64>) -> DVector<f64> {
+        let left = left_by_rounding(self.response, &self.without, pushes);
+        let own = |row: usize| self.response[(row, row)].max(f64::MIN_POSITIVE);
+        DVector::from_fn(left.len(), |row, _| self.zero.max(left[row]) / own(row))
     }
 
     /// Whether anything presses what slips alike.
     pub(super) fn has_load(&self, patch: &Patch, pushes: &DVector<f64>) -> bool {
-        self.normal_of(patch, pushes) > self.slack(patch.row())
+        self.normal_of(patch, pushes) > self.slack(pushes)[patch.row()]
     }
 
     /// The same of all that slips alike.
@@ -434,7 +444,7 @@ impl Rough<'_> {
         }
         let kept = -(reduced.held_without + reduced.held_by * found);
         reduced.holding.iter().zip(&kept).for_each(|(row, push)| pushes[*row] = *push);
-        let then = &self.without + self.response * &pushes;
+        let then = self.then(&pushes);
         let held = held.iter().map(|index| self.contacts[*index]).collect();
         Pushes { then, pushes, held, grips: grips.to_vec(), holding: reduced.holding }
     }
@@ -450,7 +460,7 @@ impl Rough<'_> {
     fn instead(&self, patch: &Patch, grip: Grip, found: &Pushes) -> Option<Grip> {
         let normal = self.normal_of(patch, &found.pushes);
         let (row, slip) = (patch.row(), found.then[patch.row()]);
-        let slack = self.slack(row);
+        let slack = self.slack(&found.pushes)[row];
         match grip {
             _ if patch.slips.is_some() => None,
             Grip::Sticks | Grip::Follows => {

@@ -11,7 +11,7 @@ use tumble_expr::{Branches, Jets, Rounded};
 use tumble_ode::{Crossing, Reason};
 
 use crate::contact::complementarity::DEPENDENT;
-use crate::contact::settle::BALANCED;
+use crate::contact::settle::{BALANCED, STANDS};
 use crate::contact::slip::Slips;
 use crate::coordinates::Measure;
 use crate::equations::Equations;
@@ -66,7 +66,7 @@ const BALANCES: f64 = 64.0 * f64::EPSILON;
 const NEAR: f64 = 1e-2;
 /// What is beyond an edge by more than this part of the extent of a body is not in touch with it, but behind it.
 const BEHIND: f64 = 1e-9;
-/// Gaps of one body that are zero within so many times their rounding error close at one instant.
+/// Gaps of one body that are zero within so many times their rounding error close at one instant; rates that are so are zero.
 const ONE_INSTANT: f64 = 16.0;
 
 /// An island's pairs at an instant, by their order among its own.
@@ -87,6 +87,8 @@ pub(crate) struct Touch {
     pub(crate) free: DVector<f64>,
     /// Rounding in accelerations is relative to this: what all forces would do if none were against another, m/s^2.
     pub(crate) strength: f64,
+    /// How many times the mass of the lightest body that moves the heaviest has.
+    pub(crate) unlike: f64,
     /// Restitution of each; zero where the surface is compliant.
     pub(crate) restitution: DVector<f64>,
     /// Forces of those that are pressed into compliant surfaces, N; zero of all others, and of a surface that pulls.
@@ -201,11 +203,14 @@ impl Equations {
         let (kicks, joints) = read.kicks(&rows, joints).ok_or_else(|| self.not_independent(island))?;
         let measures: Vec<Measure> =
             island.iter().flat_map(|body| self.velocity_measures(*body)).copied().collect();
+        let [blur, rounding] = blur(&tape, (states, now));
         let speed = |row: usize, rate: f64| -> f64 {
             let own = |dof: usize| rows[(row, dof)] * states[velocities[dof]];
             let left = |dof: usize| rows[(row, dof)].abs() * LEFT * now.scales[measures[dof] as usize];
             let surface = rate - (0..read.dofs).map(own).sum::<f64>();
-            (0..read.dofs).map(|dof| own(dof).abs() + left(dof)).sum::<f64>() + surface.abs()
+            let moving = (0..read.dofs).map(|dof| own(dof).abs() + left(dof)).sum::<f64>() + surface.abs();
+            // Far from the origin places are rounded so much that the normals turn by it: a corner that is come to seems to be passed.
+            moving.max(rounding[row] / STANDS)
         };
         let speeds = |first: usize, rates: &DVector<f64>| {
             DVector::from_fn(rates.len(), |index, _| speed(first + index, rates[index]))
@@ -216,11 +221,12 @@ impl Equations {
         let mut touch = Touch {
             size: read.size(),
             gap: read.gaps(limits),
-            blur: blur(&tape, (states, now)),
+            blur,
             speed: speeds(0, &rate),
             rate,
             strength: (rows.abs() * inverse.component_mul(&pushed) + accelerations).max(),
             free,
+            unlike: unlike(&inverse, &measures),
             restitution: read.column(&|pair| pair.end() + 1),
             loads: read.column(&|pair| pair.end() + 2).map(|load| load.max(0.0)),
             response: product(&rows, &kicks),
@@ -408,10 +414,13 @@ fn gaps_in_blurs(tape: &InstantTape, states: &[f64], now: Now<'_>) -> Vec<f64> {
     tape.pairs.iter().map(in_blurs).collect()
 }
 
-/// What rounding leaves of gaps that are zero.
-fn blur(tape: &InstantTape, (states, now): (&[f64], Now<'_>)) -> DVector<f64> {
+/// What rounding leaves of gaps that are zero, and of the rates of gaps and slips that are.
+fn blur(tape: &InstantTape, (states, now): (&[f64], Now<'_>)) -> [DVector<f64>; 2] {
     let jets = rounded(tape, states, now);
-    DVector::from_iterator(tape.pairs.len(), tape.pairs.iter().map(|pair| blur_of(&jets, pair, now)))
+    let gaps = tape.pairs.iter().map(|pair| blur_of(&jets, pair, now));
+    let rows = tape.pairs.iter().chain(tape.slips.iter().map(|slip| &slip.row));
+    let rates = rows.map(|row| ONE_INSTANT * jets.value_of(row.rate()).noise());
+    [gaps.collect::<Vec<_>>(), rates.collect()].map(DVector::from_vec)
 }
 
 /// The rounding error of the gap itself, and what its rate makes of that of the time, m.
@@ -426,6 +435,15 @@ fn rounded(tape: &InstantTape, states: &[f64], now: Now<'_>) -> Jets<Rounded> {
     let mut jets = Jets::new(Arc::clone(&tape.tape), 0, &rounded(now.inputs));
     jets.start(Rounded::leaf(now.time), &rounded(states), Branches::Free);
     jets
+}
+
+/// How many times the least of the masses is in the largest, by velocity, of those that move; infinite where one has none.
+fn unlike(inverse: &DVector<f64>, measures: &[Measure]) -> f64 {
+    let along = inverse.iter().zip(measures).filter(|(_, measure)| **measure == Measure::Speed);
+    let [least, most] = along.fold([f64::INFINITY, 0.0], |[least, most]: [f64; 2], (lightness, _)| {
+        [least.min(*lightness), most.max(*lightness)]
+    });
+    most / least
 }
 
 /// Entries of one vector, then of another.

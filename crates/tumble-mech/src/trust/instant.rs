@@ -1,17 +1,20 @@
 //! The error of one quantity at one instant of a motion.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use tumble_expr::{Branches, Drawn, Expr, Jets, Node, Rounding, is_short};
-use tumble_ode::{MotionState, Side};
+use tumble_ode::{MotionState, Occurrence, Side};
 
+use crate::contact::Change;
 use crate::evaluator::evaluate;
 use crate::mode::Mode;
+use crate::record::{Happening, Record};
 use crate::run::{Run, RunError};
-use crate::trust::ULPS;
 use crate::trust::check_run::CheckRun;
 use crate::trust::errors::{self, Errors, larger};
 use crate::trust::part::{Part, event_blur, instant_blur, kinematics};
+use crate::trust::{SAFETY, ULPS};
 
 /// Rates are differences over this part of a piece: far more than rounding tells apart, far less than anything changes in.
 const RATE_PART: f64 = 1e-6;
@@ -58,7 +61,7 @@ impl Part {
         }
         let rounded = if is_short(at.time) { 0.0 } else { f64::EPSILON * at.time };
         let moved = quantity.rate() * at.off.max(rounded) + self.jumps(formula, at)?;
-        Ok(Some(along + noise + moved))
+        Ok(Some(along + noise + moved + self.run.left_open(formula, at.time, at.side)?))
     }
 
     /// The largest difference of a formula to the check runs at one instant, with their safety; zero where they do not come to it.
@@ -83,11 +86,12 @@ impl Part {
         let off = self.checks.iter().zip(found).map(off).fold(0.0, larger);
         let rounding = NOISE * quantity.noise() + ULPS * f64::EPSILON * quantity.value.abs();
         let blur = if at.off > 0.0 { quantity.rate() * instant_blur(&motion, at.time) } else { 0.0 };
-        Ok(Some(off + rounding + blur + self.jumps(formula, at)?))
+        let moved = blur + self.jumps(formula, at)?;
+        Ok(Some(off + rounding + moved + self.run.left_open(formula, at.time, at.side)?))
     }
 
     /// By how much the formula jumps at events that may come before the instant or after it; one that is itself the instant
-    /// is asked for on one side, but for the end of a Zeno sequence, which leaves out the bounces that were to come.
+    /// is asked for on one side, and then only what the end of a Zeno sequence leaves out counts: the bounces that were to come.
     fn jumps(&self, formula: &Expr, at: At) -> Result<f64, RunError> {
         let motion = self.run.motion();
         let events = &motion.events;
@@ -97,13 +101,33 @@ impl Part {
         for index in near {
             let time = events[index].time;
             let error = self.event_error(time).unwrap_or(0.0) + event_blur(&motion, time);
-            let is_asked_for = time == at.time && !events[index].record.ends_zeno_sequence();
-            if !is_asked_for && (time - at.time).abs() <= error.max(at.off) {
+            let part = if time == at.time { self.left_out(&events[index])? } else { 1.0 };
+            if part > 0.0 && (time - at.time).abs() <= error.max(at.off) {
                 let sides = self.run.observe(std::slice::from_ref(formula))?.at_event(index);
-                sum += sides.map_or(0.0, |[before, after]| (after[0] - before[0]).abs());
+                sum += part * sides.map_or(0.0, |[before, after]| (after[0] - before[0]).abs());
             }
         }
         Ok(if sum.is_finite() { sum } else { 0.0 })
+    }
+
+    /// The part of what an event changes that the end of a Zeno sequence in it leaves out: nothing of others. Of one contact that bounces with the
+    /// restitution e all that is to come is e of the whole; several may pass to each other what is left, and nothing less than all is claimed.
+    fn left_out(&self, event: &Occurrence<Record>) -> Result<f64, RunError> {
+        if !event.record.ends_zeno_sequence() {
+            return Ok(0.0);
+        }
+        let pairs = event.record.happened.iter().filter_map(|happening| match happening {
+            Happening::Contact { pair, change: Change::Impact | Change::Zeno } => Some(*pair),
+            _ => None,
+        });
+        let pairs: BTreeSet<usize> = pairs.collect();
+        let [only] = Vec::from_iter(pairs)[..] else { return Ok(1.0) };
+        let Run { equations, inputs, .. } = &self.run;
+        let Some(restitution) = equations.pairs()[only].law.restitution() else { return Ok(1.0) };
+        let mode = &self.run.trajectory().modes[event.mode_before];
+        let restitution = std::slice::from_ref(restitution);
+        let e = equations.values(restitution, mode, event.time, &event.before, inputs)?[0];
+        Ok((SAFETY * e).min(1.0))
     }
 }
 

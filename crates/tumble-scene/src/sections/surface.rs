@@ -36,7 +36,7 @@ pub(super) const KEYS: Keys = Keys::of("[surface.NAME]", &[&[
         "compliant, in proportion to the force"),
     may("hertz", Takes::Table(&laws::HERTZ), "one of three", "{ stiffness = \"1e6 N/m^(3/2)\", damping = 0 }",
         "compliant, as one elastic body pressed against another"),
-    may("on", Takes::Either(&[MET, Takes::List(0, Takes::MOST, &MET)]), "all", "\"ball\"",
+    may("on", Takes::Either(&[MET, Takes::List(1, Takes::MOST, &MET)]), "all", "\"ball\"",
         "what meets it: a body, `\"ball\"`, a single point of one, `\"rod.tip\"`, or a list of such"),
 ]]).one_of(&[&["through", "circle", "polygon"], &["rigid", "spring", "hertz"]]);
 
@@ -169,6 +169,15 @@ fn facing(draft: &mut Draft, name: &str, table: &mut Table) -> Option<Facing> {
 /// One name or a list of names, of bodies or of single points by which they touch.
 fn met(draft: &mut Draft, field: &Field) -> Option<Vec<String>> {
     let fields = field.elements().unwrap_or_else(|| vec![field.clone()]);
+    if fields.is_empty() {
+        let mistake = Diagnostic::new(Code::Value, field.span.clone(), "`on` names nothing");
+        draft.note(
+            mistake
+                .label("an empty list")
+                .help("name the bodies that meet the surface, or leave `on` out: then all do"),
+        );
+        return None;
+    }
     let names: Vec<_> = fields.iter().map(|field| body_or_point(draft, field)).collect();
     names.into_iter().collect()
 }

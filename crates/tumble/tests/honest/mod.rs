@@ -16,3 +16,4 @@ mod signs;
 mod still;
 mod tallies;
 mod times;
+mod touching;

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use tumble_ode::Reason;
 
 use super::{Settling, Touched};
+use crate::contact::complementarity::DEPENDENT;
 use crate::contact::grip::Grip;
 use crate::contact::slip::WEDGED;
 use crate::contact::sticking::{Patch, Pushes};
@@ -12,6 +13,10 @@ use crate::record::Jump;
 
 /// A push that moves a contact away by less than this part of what friction moves it along does not move it: rounding.
 const IMMOVABLE: f64 = 1e-12;
+
+/// Masses that differ by more: contacts of a light body between heavy ones seem to depend on each other then, since what the heavy ones yield
+/// is no more than that part of what the light one does. A tenth of it is left for levers.
+const UNLIKE: f64 = 0.1 / DEPENDENT;
 
 /// The way out where no forces are, for messages.
 const BY_IMPACT: &str = "`painleve = \"impact\"`, by which an impulse stops what slips";
@@ -109,6 +114,7 @@ impl Settling<'_> {
             (0..some.len()).filter(|i| left[*i] <= WEDGED).min_by(|i, j| left[*i].total_cmp(&left[*j]));
         match least {
             Some(index) if self.touch.is_fed() => self.jammed(some[index], left[index], &jump.mode),
+            _ if self.touch.unlike > UNLIKE => self.too_unlike(),
             _ => self.paradox(some, touched, jump).unwrap_or_else(|| self.unsolved("contact")),
         }
     }
@@ -133,6 +139,15 @@ impl Settling<'_> {
                 self.equations.body_names(&self.island)
             ))
         })
+    }
+
+    /// Bodies whose masses differ so much that rounding says whether anything holds the light ones.
+    fn too_unlike(&self) -> Reason {
+        Reason::Model(format!(
+            "masses of {} differ by a factor of {:.1e}, and they touch: what the heavy ones yield is lost in the rounding of what the light ones              do. Take masses that differ by less than {UNLIKE:.0e}, or a surface in the place of the heaviest body",
+            self.equations.body_names(&self.island),
+            self.touch.unlike
+        ))
     }
 
     fn jammed(&self, position: usize, left: f64, mode: &Mode) -> Reason {

@@ -11,7 +11,7 @@ impl Rough<'_> {
     /// The solution of the whole problem, if it stands with both coefficients of each surface; else its choice put right.
     pub(super) fn by_pivoting(&self, coefficient: usize) -> Option<Pushes> {
         let pushes = self.as_a_whole(coefficient)?;
-        let then = &self.without + self.response * &pushes;
+        let then = self.then(&pushes);
         let pivoted = |patch: &Patch| self.pivoted_grip(patch, &pushes, &then);
         let grips: Vec<Grip> = self.patches.iter().map(pivoted).collect();
         let presses = |contact: &usize| pushes[*contact] > self.given[*contact];
@@ -27,7 +27,8 @@ impl Rough<'_> {
     /// The same as after sweeps, but that friction which is none stays so: where more rows stand still than are independent, pivoting has found
     /// with which of them the others are within their cones.
     fn pivoted_grip(&self, patch: &Patch, pushes: &DVector<f64>, then: &DVector<f64>) -> Grip {
-        let is_none = |(_, row): &(usize, usize)| pushes[*row].abs() <= self.slack(*row);
+        let slack = self.slack(pushes);
+        let is_none = |(_, row): &(usize, usize)| pushes[*row].abs() <= slack[*row];
         match self.swept_grip(patch, pushes, then) {
             Grip::Sticks if patch.contacts.iter().all(is_none) => Grip::Follows,
             other => other,
