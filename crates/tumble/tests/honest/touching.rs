@@ -48,6 +48,13 @@ fn a_plank_below_a_heavy_box_holds_it() {
     }
 }
 
+/// Where a double does not hold both masses the responses of the contacts seem to depend on each other: that is no paradox of friction.
+#[test]
+fn a_plank_below_a_box_that_is_too_heavy_is_refused() {
+    let refusal = on_a_plank(1e12, 2.0, [0.6, 0.3]).refusal();
+    assert!(refusal.contains("masses of `box`, `plank` differ by a factor of 1"), "{refusal}");
+}
+
 /// Both go on together, or the box alone.
 #[test]
 fn a_heavy_box_takes_a_plank_along_or_slides_on_it() {
