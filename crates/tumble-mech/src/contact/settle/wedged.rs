@@ -144,7 +144,8 @@ impl Settling<'_> {
     /// Bodies whose masses differ so much that rounding says whether anything holds the light ones.
     fn too_unlike(&self) -> Reason {
         Reason::Model(format!(
-            "masses of {} differ by a factor of {:.1e}, and they touch: what the heavy ones yield is lost in the rounding of what the light ones              do. Take masses that differ by less than {UNLIKE:.0e}, or a surface in the place of the heaviest body",
+            "masses of {} differ by a factor of {:.1e}, and they touch: what the heavy ones yield is lost in the rounding of what the light ones \
+             do. Take masses that differ by less than {UNLIKE:.0e}, or a surface in the place of the heaviest body",
             self.equations.body_names(&self.island),
             self.touch.unlike
         ))
