@@ -16,7 +16,7 @@ const ARROW: f64 = 4.0;
 const ALONG: f64 = 3.0;
 const ALONG_SINE: f64 = 0.25;
 /// Half the width of an arrow's shaft, in pixels, with what keeps a letter from touching it.
-const HALF_SHAFT: f64 = 2.5;
+const HALF_SHAFT: f64 = 1.9;
 /// What leaving the area costs.
 const OUTSIDE_COST: f64 = 1e6;
 

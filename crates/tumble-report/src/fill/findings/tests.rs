@@ -211,7 +211,7 @@ fn answers_at_one_instant_are_one_sentence() {
         "Leaves the wall: height of the head y_head is 2.50585 m and angle θ is 51.2104°, at 0.845032 s.";
     assert_eq!(found[0], words);
     let given = found_in("20-rolling-down");
-    assert_eq!(given[0], "Least coefficient of friction with which it rolls (μ₀) is 0.19245.");
+    assert_eq!(given[0], "Least coefficient of friction with which it rolls (μ_0) is 0.19245.");
 }
 
 #[test]

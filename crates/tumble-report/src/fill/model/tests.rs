@@ -171,6 +171,15 @@ fn a_moment_of_inertia_about_a_pivot_says_so() {
     assert_eq!(own, ["about the pivot"]);
 }
 
+#[test]
+fn what_an_impulse_does_to_turn_a_body_is_no_torque() {
+    let (model, _) = model_of("13-four-bar-linkage");
+    let [crank, ..] = &model.bodies[..] else { panic!("no bodies") };
+    let row = &crank.impulses[0];
+    assert_eq!([&*row.symbol.text, &*row.torque[0].text], ["H_hammer"; 2]);
+    assert!(crank.forces.iter().all(|force| !force.name.to_plain().contains("hammer")), "{crank:?}");
+}
+
 /// Lines of blocks as text.
 fn lines<'a>(blocks: impl IntoIterator<Item = &'a crate::report::Block>) -> Vec<String> {
     blocks.into_iter().flat_map(|block| &block.lines).map(|line| line.text.clone()).collect()
