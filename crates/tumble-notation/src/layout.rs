@@ -1,5 +1,7 @@
 //! Mathematics as it stands on paper, before it becomes MathML, LaTeX or text.
 
+use crate::numbers;
+use crate::numeral::Numeral;
 use crate::symbol::Identifier;
 
 /// A sign between or before parts.
@@ -116,6 +118,19 @@ impl Math {
         match inside.filter(|inside| !inside.is_empty()) {
             Some(inside) => Self::Bars(Box::new(Self::symbol(inside))),
             None => Self::called(name).unwrap_or_else(|| Self::Identifier(Identifier::parse(name))),
+        }
+    }
+
+    /// A number rounded to at most so many significant digits.
+    pub fn number(value: f64, digits: usize) -> Self {
+        let Numeral { digits, power } = Numeral::significant(value, digits);
+        let mantissa = Self::Number(digits);
+        match power {
+            None => mantissa,
+            Some(power) => {
+                let power = Self::digits(10).raised_to(numbers::signed(power.into()));
+                Self::Row(vec![mantissa, Self::Operator(Operator::Times), power])
+            }
         }
     }
 

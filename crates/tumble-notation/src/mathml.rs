@@ -12,8 +12,22 @@ const THIN_SPACE: &str = "<mspace width=\"0.1667em\"/>";
 const APPLIED: &str = "<mo>\u{2061}</mo>";
 
 /// A formula in a line of text as `math` elements between which the line may be broken, none wider than a telephone if it
-/// can be helped. Those of one term are in an element of the class `term`, which should move to the next line as a whole.
+/// can be helped. Those of one term are in an element of the class `term`, which should move to the next line as a whole. Words
+/// before or behind a formula are no part of it: their lines break as those of words do.
 pub fn mathml_in_pieces(math: &Math) -> String {
+    let is_said = |words: &str| words.contains(' ');
+    if let Math::Row(parts) = math {
+        match &parts[..] {
+            [only] => return mathml_in_pieces(only),
+            [Math::Text(words), rest @ ..] if is_said(words) => {
+                return escaped(words) + &mathml_in_pieces(&Math::Row(rest.to_vec()));
+            }
+            [rest @ .., Math::Text(words)] if is_said(words) => {
+                return mathml_in_pieces(&Math::Row(rest.to_vec())) + &escaped(words);
+            }
+            _ => {}
+        }
+    }
     let piece = |piece: &String| format!("<math>{piece}</math>");
     let term = |term: Vec<String>| match term.iter().map(piece).collect::<Vec<_>>() {
         pieces if pieces.len() > 1 => format!("<span class=\"term\">{}</span>", pieces.join(" ")),

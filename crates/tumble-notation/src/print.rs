@@ -107,6 +107,9 @@ impl<'a> Printer<'a> {
 
     /// A positive number times powers; the sum at place `turned` is printed with its sign turned.
     fn product(&self, by: &Rational, factors: &[Factor], turned: Option<usize>) -> Math {
+        if let Some((by, inside)) = self.under_one_root(by, factors) {
+            return Math::Root(Box::new(self.product(&by, &inside, None)));
+        }
         let mut layers = Layers { digits_below: true, ..Layers::default() };
         self.number_into(&mut layers, by, factors);
         let mut ordered: Vec<(usize, &Factor)> =
@@ -161,6 +164,19 @@ impl<'a> Printer<'a> {
             own.into_iter().for_each(|(id, power)| *others.entry(id).or_insert_with(Exponent::zero) += power);
         }
         (by, others.into_iter().collect())
+    }
+
+    /// What is under the root of `√((10/7) x)`, as which `(1/7) √(70 x)` is read: a fraction that is before a root because its
+    /// denominator is no square.
+    fn under_one_root(&self, by: &Rational, factors: &[Factor]) -> Option<(Rational, Vec<Factor>)> {
+        if !by.numer().is_one() || by.denom().is_one() || !factors.iter().all(|(_, own)| is_square_root(own))
+        {
+            return None;
+        }
+        let inside: Vec<Factor> = factors.iter().map(|(id, own)| (*id, own + own)).collect();
+        let (number, inside) = self.numbers_of(&inside);
+        let whole = &number * by;
+        (whole.is_integer() && !inside.is_empty()).then(|| (whole * by, inside))
     }
 
     /// What stands under one root sign where several square roots are multiplied; nothing where there is at most one.

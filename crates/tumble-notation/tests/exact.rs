@@ -124,6 +124,14 @@ fn sums_of_angles_and_of_squares() {
     assert_eq!(text(&Expr::norm(speed.to_vec())), "L |w|");
 }
 
+/// The place of one part less that of the centre of two.
+#[test]
+fn what_is_left_of_a_sum_over_its_denominator_cancels() {
+    let (m, k, x) = (mass("m"), mass("k"), length("x"));
+    let centre = &x * (2 * &m + 3 * &k) / (2 * (&m + 3 * &k));
+    assert_eq!(text(&(&x - centre).powi(2)), "9 k² x²/(4 (3 k + m)²)");
+}
+
 #[test]
 fn roots_and_lengths() {
     let (m, x, y) = (mass("m"), length("x"), length("y"));
@@ -143,6 +151,8 @@ fn roots_and_lengths() {
         ((4 * &x * &x).sqrt(), "2 |x|"),
         (Expr::from(8).sqrt() / Expr::from(2).sqrt(), "2"),
         ((10 * &m * (&x * (1 - pure("a").cos()))).sqrt(), "√(10 m x (1 − cos a))"),
+        ((3 * &m * &x / 2).sqrt(), "√((3/2) m x)"),
+        ((10 * &m * (&x * (1 - pure("a").cos())) / 7).sqrt(), "√((10/7) m x (1 − cos a))"),
         (x.sqrt() * (&x * &y).sqrt(), "√(x² y)"),
         (x.sqrt() * (-(&x * &y)).sqrt(), "√(x (−x y))"),
     ] {

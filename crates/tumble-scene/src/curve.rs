@@ -138,11 +138,16 @@ fn is_energy_name(name: &str) -> bool {
 
 /// Whether a formula is an angle, or an angle per time: one of a body's, or a sum or multiple of such.
 pub(crate) fn is_angular(formula: &Expr) -> bool {
+    is_angular_by(formula, &is_angular_name)
+}
+
+/// The same where it is known which names are of angles.
+pub(crate) fn is_angular_by(formula: &Expr, is_of_angle: &dyn Fn(&str) -> bool) -> bool {
     let mut parts = vec![formula];
     let mut found = false;
     while let Some(part) = parts.pop() {
         match part.node() {
-            Node::Symbol(symbol) if is_angular_name(&symbol.name) => found = true,
+            Node::Symbol(symbol) if is_of_angle(&symbol.name) => found = true,
             Node::Unary(Unary::Asin | Unary::Acos | Unary::Atan, _) | Node::Binary(Binary::Atan2, ..) => {
                 found = true
             }

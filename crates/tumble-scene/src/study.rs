@@ -8,6 +8,7 @@ use tumble_mech::{Equations, Extreme, Model, ModelErrors, Parameters};
 use tumble_ode::{Accuracy, Reason, Side};
 
 use crate::code::Code;
+use crate::curve::is_angular_by;
 use crate::diagnostic::{Diagnostic, Diagnostics, SourceText};
 use crate::places::Places;
 use crate::play::Play;
@@ -97,6 +98,13 @@ impl Study {
     /// Value of a formula of the parameters, SI units.
     pub fn number(&self, formula: &Expr) -> Result<f64, ModelErrors> {
         Ok(self.model.parameters.evaluate(std::slice::from_ref(formula))?[0])
+    }
+
+    /// Whether a parameter is an angle, or an angle per time: by its unit, or because it is computed of such.
+    pub fn is_angle(&self, parameter: &str) -> bool {
+        let formula = || self.model.parameters.formulas().find(|(symbol, _)| *symbol.name == *parameter);
+        let is_computed = |formula: &Expr| is_angular_by(formula, &|name| self.is_angle(name));
+        self.angles.contains(parameter) || formula().is_some_and(|(_, formula)| is_computed(formula))
     }
 
     /// What its user should know before it is run.

@@ -2,8 +2,8 @@
 
 use crate::common::{folder, gallery, read, repository, write};
 use serde_json::Value;
-use tumble::ReportForm;
 use tumble::pipeline::{self, Options, Outcome};
+use tumble::{CheckResult, ReportForm};
 
 /// A report is one file that is mailed and opened on telephones.
 const LARGEST: usize = 2 << 20;
@@ -23,7 +23,7 @@ fn numbers_are_those_of_the_summary() {
         for check in outcome.cases.iter().flat_map(|case| &case.checks) {
             let found = format!("{:?}", check.found);
             assert!(text.contains(&format!("\"found\": {found}")), "{name}: {found} is not in the summary");
-            let known = to_its_error(check.found, check.error);
+            let known = as_compared(check);
             let ways = [format!("{known:?}"), format!("{known:e}")].map(|number| as_printed(&number));
             let is_shown = ways.iter().any(|shown| page.contains(shown));
             assert!(is_shown, "{name}: {} of check {} is not in the report", ways[0], check.name);
@@ -40,17 +40,17 @@ fn numbers_are_those_of_the_summary() {
     }
 }
 
-/// A number to the place of its error, where there is one.
-fn to_its_error(number: f64, error: Option<f64>) -> f64 {
+/// What was found to the place of its error, where there is one, and to two places behind what is allowed.
+fn as_compared(check: &CheckResult) -> f64 {
     let place = |value: f64| value.abs().log10().floor();
-    match error.filter(|error| *error > 0.0) {
-        Some(error) if number.abs() <= error => 0.0,
-        Some(error) => {
-            let behind = (place(number) - place(error)).clamp(0.0, 16.0);
-            format!("{number:.*e}", behind as usize).parse().expect("a number")
-        }
-        None => number,
+    let (found, error) = (check.found, check.error.filter(|error| *error > 0.0));
+    if error.is_some_and(|error| found.abs() <= error) {
+        return 0.0;
     }
+    let known = error.map_or(f64::INFINITY, |error| place(found) - place(error));
+    let compared = (place(found) - place(check.within)).max(0.0) + 2.0;
+    let behind = compared.min(known).clamp(0.0, 16.0);
+    format!("{found:.*e}", behind as usize).parse().expect("a number")
 }
 
 /// A number as Rust writes it, as a page shows it: a true minus, powers of ten as such, no fraction of zero.

@@ -131,7 +131,7 @@ impl Shown<'_> {
             arrows.into_iter().for_each(|arrow| drawn.add_line(arrow.to_vec()));
         }
         for ring in self.rings {
-            drawn.add_line(ring.points());
+            drawn.add_bent_arrow(ring.points());
         }
         for surface in &self.body.surfaces {
             let strip = surface.strip(self.view, self.area);

@@ -15,6 +15,8 @@ const ARROW: f64 = 4.0;
 /// As how often a leader counts that goes along a line, in which it is lost, and the sine of the angle below which it does.
 const ALONG: f64 = 3.0;
 const ALONG_SINE: f64 = 0.25;
+/// Half the width of an arrow's shaft, in pixels, with what keeps a letter from touching it.
+const HALF_SHAFT: f64 = 1.9;
 /// What leaving the area costs.
 const OUTSIDE_COST: f64 = 1e6;
 
@@ -26,12 +28,23 @@ struct Line {
     within: Option<Rect>,
     /// As how many it counts for a leader that crosses it.
     weight: f64,
+    /// Pixels from its middle to where it ends.
+    half: f64,
 }
 
 impl Line {
-    fn new(points: Vec<[f64; 2]>, weight: f64) -> Self {
+    fn new(points: Vec<[f64; 2]>, weight: f64, half: f64) -> Self {
         let within = Rect::around(points.iter().copied());
-        Self { points, within, weight }
+        Self { points, within, weight, half }
+    }
+
+    /// How many of its pieces meet the rectangle, or whether its only point does.
+    fn crossings(&self, place: &Rect) -> usize {
+        let place = place.grown(self.half);
+        match self.points[..] {
+            [only] => usize::from(place.contains(only)),
+            _ => self.pieces().filter(|[p, q]| place.meets_line(*p, *q)).count(),
+        }
     }
 
     fn pieces(&self) -> impl Iterator<Item = [[f64; 2]; 2]> {
@@ -61,12 +74,17 @@ impl Occupancy {
 
     /// Marks a polyline as taken.
     pub(crate) fn add_line(&mut self, points: Vec<[f64; 2]>) {
-        self.lines.push(Line::new(points, 1.0));
+        self.lines.push(Line::new(points, 1.0, 0.0));
     }
 
     /// Marks the shaft of an arrow as taken.
     pub(crate) fn add_arrow(&mut self, shaft: [[f64; 2]; 2]) {
-        self.lines.push(Line::new(shaft.to_vec(), ARROW));
+        self.lines.push(Line::new(shaft.to_vec(), ARROW, HALF_SHAFT));
+    }
+
+    /// Marks an arrow that is bent as taken.
+    pub(crate) fn add_bent_arrow(&mut self, shaft: Vec<[f64; 2]>) {
+        self.lines.push(Line::new(shaft, 1.0, HALF_SHAFT));
     }
 
     /// Marks the inside of a closed outline as taken; its rim is a line of its own.
@@ -133,10 +151,7 @@ impl Occupancy {
 
     /// Line pieces that meet the rectangle.
     fn crossings(&self, place: &Rect) -> usize {
-        let pieces = self.lines.iter().flat_map(Line::pieces);
-        let points = self.lines.iter().filter(|line| line.points.len() == 1).map(|line| line.points[0]);
-        pieces.filter(|[p, q]| place.meets_line(*p, *q)).count()
-            + points.filter(|p| place.contains(*p)).count()
+        self.lines.iter().map(|line| line.crossings(place)).sum()
     }
 }
 

@@ -146,7 +146,7 @@ impl Layout {
         let pivots = self.scene.pivots.iter().map(|pivot| marks::pivot_box(self.view.pixel(pivot.at)));
         pivots.for_each(|place| drawn.add_box(place));
         self.strokes().iter().for_each(|(stroke, _)| drawn.add_arrow([stroke.tail, stroke.head]));
-        self.rings().iter().for_each(|(ring, _)| drawn.add_line(ring.points()));
+        self.rings().iter().for_each(|(ring, _)| drawn.add_bent_arrow(ring.points()));
         drawn
     }
 }

@@ -56,7 +56,9 @@ fn points(layout: &Layout) -> Vec<Tag> {
     let points = layout.scene.points.iter().map(|point| (point, POINT_DISTANCE));
     let named = pivots.chain(points).map(|(point, distance)| {
         let at = layout.view.pixel(point.at);
-        tag(layout, &point.name, INK, vec![at], |size| about_point(at, distance, size))
+        let near = |size| about_point(at, distance, size);
+        // Among others it would be read as the name of one of them.
+        Tag { far: Some(0.0), ..tag(layout, &point.name, INK, vec![at], near) }
     });
     named.collect()
 }

@@ -11,6 +11,8 @@ use crate::rational::{self, Rational, is_unit};
 pub(crate) const BRACKETS: u32 = 3;
 /// How much a common factor of some terms has to save before it is taken out: less would hide the terms.
 const GROUPING_SAVES: u32 = 3;
+/// How much multiplying out has to save: a product says more than as long a sum.
+const EXPANDING_SAVES: u32 = 2;
 /// Most terms among which common factors are looked for.
 const MOST_GROUPED: usize = 24;
 
@@ -30,7 +32,9 @@ impl Algebra {
         if let Some(mut expanded) = self.expanded(&terms) {
             self.trigonometric_sums(&mut expanded);
             let sum = self.raw_sum(expanded);
-            best = self.shorter(best, sum);
+            if self.cost(sum) + EXPANDING_SAVES <= self.cost(best) {
+                best = sum;
+            }
         }
         let distributed = self.distributed(product);
         self.shorter(best, distributed)

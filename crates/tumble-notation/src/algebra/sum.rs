@@ -59,7 +59,9 @@ impl Algebra {
         for (part, by) in terms {
             let factors: Vec<Factor> = inverse.iter().copied().chain([(part, Exponent::one())]).collect();
             let divided = self.raw_product(rational::over(&by, &content), &factors);
-            self.add_term(&mut rest, &Rational::one(), divided);
+            // A multiple of a sum is its terms, which may cancel others.
+            let (own, part) = self.split(divided);
+            self.add_term(&mut rest, &own, part);
         }
         let primitive = self.raw_sum(rest);
         (content, shared, primitive)

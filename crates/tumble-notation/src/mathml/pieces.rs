@@ -291,6 +291,13 @@ mod tests {
     }
 
     #[test]
+    fn words_beside_a_formula_are_words() {
+        let [before, behind] = ["with the speed\u{a0}", " of it"].map(|words| Math::Text(words.to_owned()));
+        let shown = mathml_in_pieces(&Math::Row(vec![before, Math::symbol("s"), behind]));
+        assert_eq!(shown, "with the speed\u{a0}<math><mi>s</mi></math> of it");
+    }
+
+    #[test]
     fn the_pieces_of_a_term_are_together() {
         let wide = sum_of(&["a_first", "b_second", "c_third", "d_fourth", "e_fifth", "f_sixth"]).bracketed();
         let term = Math::Product(vec![Math::symbol("k"), wide]);

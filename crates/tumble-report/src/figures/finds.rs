@@ -14,6 +14,8 @@ const LEAST: usize = 3;
 const MOST_DOTS: usize = 60;
 /// Values over more than this many times the least are shown by their powers of ten.
 const DECADES: f64 = 100.0;
+/// So many answers at one instant are one sentence.
+const MOST_AT_ONCE: usize = 3;
 /// Digits of the place of an extreme in a figure.
 const DIGITS: usize = 4;
 
@@ -126,9 +128,30 @@ pub(crate) fn called(study: &Study, question: &Question) -> Label {
     }
 }
 
+/// What is asked for, by the instants: of questions that follow on each other, those at one.
+pub(crate) fn at_once(study: &Study) -> impl Iterator<Item = &[Question]> {
+    let are_at_once = |one: &Question, other: &Question| match (&one.at, &other.at) {
+        (When::At(a), When::At(b)) => a.text == b.text && one.side == other.side,
+        _ => false,
+    };
+    study.finds.chunk_by(are_at_once).flat_map(|questions| questions.chunks(MOST_AT_ONCE))
+}
+
+/// What is looked at, without when.
+pub(crate) fn that(study: &Study, question: &Question) -> Label {
+    symbols::called(study, &symbols::all(study), &question.that.text)
+}
+
+/// Whether parameters alone say what is asked for, at any time.
+pub(crate) fn is_given(study: &Study, question: &Question) -> bool {
+    let parameters = study.model.parameters.symbols();
+    question.that.quantity.formula.symbols().iter().all(|symbol| parameters.contains(symbol))
+}
+
 fn in_words(study: &Study, question: &Question) -> Label {
-    let that = symbols::called(study, &symbols::all(study), &question.that.text);
+    let that = that(study, question);
     match question.at {
+        _ if is_given(study, question) => that,
         When::Extreme { which: Extreme::Greatest, .. } => Label::plain("the greatest ").then(that),
         When::Extreme { which: Extreme::Least, .. } => Label::plain("the least ").then(that),
         When::End => that.then(Label::plain(" at the end")),

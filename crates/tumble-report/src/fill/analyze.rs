@@ -175,7 +175,8 @@ fn shown(study: &Study, names: &Names, check: &CheckResult) -> CheckRow {
     let that = asked(study, names, check);
     let name = spoken(&check.name);
     // A name that says the same says nothing.
-    let what = match that.to_plain().contains(&name) {
+    let is_its_own = symbols::last(symbols::without_unit(&check.that)) == check.name;
+    let what = match is_its_own || that.to_plain().contains(&name) {
         true => that,
         false => Text::from(format!("{name}: ")).and(that),
     };
@@ -200,19 +201,26 @@ fn shown(study: &Study, names: &Names, check: &CheckResult) -> CheckRow {
     }
 }
 
-/// What was found, with its error, to the place of that: digits beyond it say nothing.
+/// What was found, with its error, to the place of that, and no finer than what is expected: digits beyond say nothing.
 fn found(check: &CheckResult) -> Text {
-    let unit = check.unit.as_str();
-    let (value, degrees) = match check.error {
-        Some(error) if error > 0.0 && check.found.abs() <= error => (precise(0.0, unit), Text::default()),
-        Some(error) if error > 0.0 && error.is_finite() => {
-            let place = |value: f64| value.abs().log10().floor();
-            let digits = (place(check.found) - place(error) + 1.0).clamp(1.0, MOST_DIGITS) as usize;
-            (quantity_to(check.found, digits, unit), in_degrees(check.found, digits, unit))
-        }
-        _ => (precise(check.found, unit), in_degrees(check.found, MOST_DIGITS as usize, unit)),
+    let (found, unit) = (check.found, check.unit.as_str());
+    let error = check.error.filter(|error| *error > 0.0);
+    if error.is_some_and(|error| found.abs() <= error) {
+        return precise(0.0, unit).and(self::error(check));
+    }
+    let known = error.map_or(f64::INFINITY, |error| digits_to(found, error) + 1.0);
+    let digits = (digits_to(found, check.within) + FINER).max(FINER).min(known);
+    let value = match digits.is_finite() {
+        true => quantity_to(found, digits.clamp(1.0, MOST_DIGITS) as usize, unit),
+        false => precise(found, unit),
     };
-    value.and(error(check)).and(degrees)
+    value.and(self::error(check)).and(in_degrees(found, digits.clamp(1.0, MOST_DIGITS) as usize, unit))
+}
+
+/// Digits before the place of another value.
+fn digits_to(value: f64, other: f64) -> f64 {
+    let place = |value: f64| value.abs().log10().floor();
+    place(value) - place(other)
 }
 
 /// By how much it may be off.
@@ -225,8 +233,7 @@ fn error(check: &CheckResult) -> Text {
 
 /// What is expected, a little finer than it is compared: further digits are rounding of its formula.
 fn without_rounding(check: &CheckResult) -> f64 {
-    let place = |value: f64| value.abs().log10().floor();
-    let digits = place(check.expected) - place(check.within) + FINER;
+    let digits = digits_to(check.expected, check.within) + FINER;
     let places = if digits.is_finite() { digits.clamp(FINER, MOST_EXPECTED) - 1.0 } else { MOST_DIGITS };
     format!("{:.*e}", places as usize, check.expected).parse().unwrap_or(check.expected)
 }
@@ -283,7 +290,7 @@ mod tests {
     #[test]
     fn degrees_stand_beside_an_angle_that_was_found() {
         let shown = |value: f64, error: Option<f64>, unit: &str| {
-            found(&CheckResult { unit: unit.to_owned(), ..check(value, 1.0, error) }).to_plain()
+            found(&CheckResult { unit: unit.to_owned(), ..check(value, 0.0, error) }).to_plain()
         };
         assert_eq!(shown(1.2, Some(0.001), "rad"), "1.2\u{a0}rad ± 0.001\u{a0}(68.75°)");
         assert_eq!(shown(1.2, Some(0.02), "rad"), "1.2\u{a0}rad ± 0.02\u{a0}(68.8°)");
@@ -295,9 +302,13 @@ mod tests {
     #[test]
     fn what_was_found_is_shown_to_the_place_of_its_error() {
         let shown = |value: f64, error: Option<f64>| {
-            let found = found(&check(value, 1.0, error)).to_plain();
+            let found = found(&check(value, 0.0, error)).to_plain();
             found.split(" ± ").next().map(str::to_owned).unwrap_or_default()
         };
+        // As fine as what is expected.
+        let compared = |value: f64, within: f64| found(&check(value, within, None)).to_plain();
+        assert_eq!(compared(12.593_993_869_568_88, 3.0), "12.59");
+        assert_eq!(compared(0.1 + 0.2, 1e-9), "0.3");
         assert_eq!(shown(1.024_690_108_640_719_6, Some(1e-14)), "1.02469010864072");
         assert_eq!(shown(1.024_690_108_640_719_6, Some(1.6e-14)), "1.02469010864072");
         assert_eq!(shown(6.93e-16, Some(5e-12)), "0");

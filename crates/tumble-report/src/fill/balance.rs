@@ -16,7 +16,7 @@ const NOTHING: f64 = 1e-14;
 /// Digits of a residual: none of it is verified, its size is what tells.
 const SIZE: usize = 2;
 
-const WHAT_IT_SAYS: &str = "Energy changes by the work of the loads without potential energy, momentum by the impulses of all loads. The residual is rounding, \
+const WHAT_IT_SAYS: &str = "Energy changes by the work of the loads without potential energy, momentum by the impulses of all loads. The residual is rounding error, \
      and what the integration left out.";
 
 /// A run whose digits have ended has none at its end.

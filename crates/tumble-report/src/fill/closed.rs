@@ -273,7 +273,7 @@ fn line(names: &Names, symbol: &Symbol, powers: &[f64], time: &Math) -> Typeset 
         if value == 0.0 {
             continue;
         }
-        let number = Math::Number(Label::number(value.abs(), DIGITS).to_plain());
+        let number = Math::number(value.abs(), DIGITS);
         let quantity = Math::Product([number].into_iter().chain(in_unit(&unit)).collect());
         let power = match degree {
             0 => None,

@@ -1,8 +1,8 @@
 //! The equations of motion as they were integrated, in the symbols of the scene.
 
-use crate::report::{Block, Definition, ModeEquations, Text, Typeset};
+use crate::report::{Block, Definition, ModeEquations, Text};
 use tumble_expr::{Expr, Symbol, is_identically_zero};
-use tumble_mech::{Anchor, ContactMode, Joint, Pair};
+use tumble_mech::{Anchor, ContactMode, Joint, Law, Pair};
 use tumble_notation::Math;
 use tumble_scene::Study;
 
@@ -17,7 +17,9 @@ use crate::figures::symbols;
 use crate::results::Case;
 
 /// What a condition on accelerations comes from.
-const STAYS: &str = "what touches or is joined stays together, with one acceleration there";
+const STAYS: &str = "points that touch or are joined have one acceleration";
+/// What is said of forces that are zero because others bear all: any share of theirs would move the bodies alike.
+const ONE_CHOICE: &str = "one choice of many, since more points touch than are needed";
 /// More modes than this are told of in the table of events only.
 const MOST_MODES: usize = 6;
 
@@ -66,42 +68,52 @@ fn equations_of(setting: &Setting<'_>, motion: &Motion) -> Option<Block> {
     };
     let about_pivot = Math::symbol(&inertia_name(study, &study.model.bodies[motion.body].name));
     let place = shown.definitions.iter().position(|line| line.left.as_ref() == Some(&about_pivot));
+    let reasons: Vec<Option<String>> = motion.lines.iter().map(|line| why(setting, motion, line)).collect();
+    let shown_lines: Vec<Math> = shown.lines.iter().map(tumble_notation::Line::math).collect();
     let mut block = names.shown_block(title.into(), Ok(shown));
     if let Some(index) = place {
         block.definitions[index].meaning = "about the pivot".into();
     }
-    let conditions = conditions(setting, motion, &block);
-    block.definitions.extend(conditions);
+    for ((line, shown), why) in block.lines.iter_mut().zip(shown_lines).zip(&reasons) {
+        if let Some(why) = why {
+            *line = math(&Math::Row(vec![shown, Math::Text(format!("\u{2003}since {why}"))]));
+        }
+    }
+    let is_open = |(line, why): (&Line, &Option<String>)| why.is_none() && is_condition(setting, line);
+    if motion.lines.iter().zip(&reasons).any(is_open) {
+        block.definitions.push(Definition { symbol: math(&zero()), meaning: STAYS.into() });
+    }
+    block.definitions.extend(without_force(setting, motion.body));
     block.definitions.extend(seats(study, names, motion));
     block.definitions.extend(second_rate(study, names, motion));
     Some(block)
 }
 
-/// What equations say that are no law of motion, each with its reason; what has none of its own has that of all of them.
-fn conditions(setting: &Setting<'_>, motion: &Motion, block: &Block) -> Vec<Definition> {
+/// Contacts of a body that touch and are given no force.
+fn without_force(setting: &Setting<'_>, body: usize) -> Option<Definition> {
+    let Setting { study, case, mode, .. } = *setting;
+    let idle = mode.contacts.iter().filter(|(_, contact)| *contact == ContactMode::Idle);
+    let pairs = idle.map(|(pair, _)| &case.run.equations.pairs()[*pair]).filter(|pair| pair.body == body);
+    let forces = pairs.map(|pair| Math::symbol(&symbols::force(study, &pair.name, Law::Contact)));
+    let equal = |all, next| Math::equation(all, next);
+    let all = forces.chain([Math::Number("0".to_owned())]).reduce(equal)?;
+    let is_none = matches!(all, Math::Number(_));
+    (!is_none).then(|| Definition { symbol: math(&all), meaning: ONE_CHOICE.into() })
+}
+
+/// Whether a line is no law of motion, but says of accelerations what contacts and joints make of them.
+fn is_condition(setting: &Setting<'_>, line: &Line) -> bool {
     let bodies = setting.study.model.bodies.iter().map(|body| body.kinematics());
-    let rates =
-        bodies.flat_map(|own| [own.acceleration_symbols().to_vec(), vec![own.alpha_symbol()]].concat());
-    let rates: Vec<Symbol> = rates.collect();
-    let is_condition = |line: &Line| {
-        is_identically_zero(&line.is) && line.right.symbols().iter().any(|symbol| rates.contains(symbol))
-    };
-    let of_line = |(line, shown): (&Line, &Typeset)| {
-        let is_followed = motion.follows && line.left.factor.is_none();
-        let is_condition = is_condition(line);
-        let condition = &line.is - &line.right;
-        let why = (is_followed || is_condition).then(|| reason(setting, motion.body, &condition))?;
-        let symbol = if is_followed { math(&line.left.symbol) } else { shown.clone() };
-        let general = is_condition.then(|| Definition { symbol: math(&zero()), meaning: STAYS.into() });
-        why.map(|why| Definition { symbol, meaning: why.into() }).or(general)
-    };
-    let mut found: Vec<Definition> = vec![];
-    for one in motion.lines.iter().zip(&block.lines).filter_map(of_line) {
-        if !found.contains(&one) {
-            found.push(one);
-        }
-    }
-    found
+    let mut rates = bodies.flat_map(|own| [&own.acceleration_symbols()[..], &[own.alpha_symbol()]].concat());
+    let symbols = line.right.symbols();
+    is_identically_zero(&line.is) && rates.any(|rate| symbols.contains(&rate))
+}
+
+/// Why a line holds that is no law of motion, where a contact of the body is the reason.
+fn why(setting: &Setting<'_>, motion: &Motion, line: &Line) -> Option<String> {
+    let is_followed = motion.follows && line.left.factor.is_none();
+    let condition = &line.is - &line.right;
+    (is_followed || is_condition(setting, line)).then(|| reason(setting, motion.body, &condition))?
 }
 
 /// What stands for any condition.

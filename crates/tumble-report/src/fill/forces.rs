@@ -1,9 +1,10 @@
-//! What acts on a body: a row for each load, with its law, where it acts and its torque.
+//! What acts on a body: a row for each load, with its law, where it acts and its torque; impulses likewise.
 
 use crate::report::{ForceRow, Typeset};
 use tumble_expr::{Expr, Node, Symbol, Unary, Vector, Written, is_identically_zero};
 use tumble_mech::{
-    Application, AppliedImpulse, Equations, Frame, Law, NORMAL, Pair, Statement, TANGENT, Term, rotated,
+    Application, AppliedImpulse, Equations, Frame, Kinematics, Law, NORMAL, Pair, Statement, TANGENT, Term,
+    rotated,
 };
 use tumble_notation::{Math, Operator};
 use tumble_scene::Study;
@@ -16,7 +17,7 @@ use crate::figures::{air, symbols};
 /// A torque of more signs than these is said by its arm and its force.
 const MOST_SIGNS_IN_TABLE: usize = 36;
 
-/// A row for each load on a body, in the first mode in which it acts, and for each impulse.
+/// A row for each load on a body, in the first mode in which it acts.
 pub(super) fn of(study: &Study, names: &Names, passed: &[Passed<'_>], body: usize) -> Vec<ForceRow> {
     let (mut seen, mut rows): (Vec<String>, _) = (vec![], vec![]);
     for Passed { case, mode } in passed {
@@ -35,40 +36,35 @@ pub(super) fn of(study: &Study, names: &Names, passed: &[Passed<'_>], body: usiz
             rows.push(Load::new(study, names, equations, first, stated).row(is_single));
         }
     }
-    let name = &study.model.bodies[body].name;
-    let impulses = study.model.impulses.iter().filter(|one| one.body == *name);
-    rows.extend(impulses.map(|one| impulse(study, names, one)));
     rows
 }
 
-/// A row for an impulse that an event applies.
-fn impulse(study: &Study, names: &Names, applied: &AppliedImpulse) -> ForceRow {
-    let kinematics =
-        study.model.bodies[study.model.body_index(&applied.body).unwrap_or_default()].kinematics();
-    let name =
-        format!("impulse of {}, when “{}” happens", symbols::the(&applied.name), spoken(&applied.when));
-    let name_of = match &applied.application {
-        Application::Torque(_) => symbols::angular_impulse,
-        Application::Force { .. } => symbols::impulse,
-    };
-    let symbol = name_of(symbols::last(&applied.name));
+/// A row for each impulse that an event applies to a body.
+pub(super) fn impulses(study: &Study, names: &Names, body: usize) -> Vec<ForceRow> {
+    let body = &study.model.bodies[body];
+    let own = study.model.impulses.iter().filter(|one| one.body == body.name);
+    own.map(|one| impulse(names, &body.kinematics(), one)).collect()
+}
+
+fn impulse(names: &Names, kinematics: &Kinematics, applied: &AppliedImpulse) -> ForceRow {
+    let name = format!("{}, when “{}” happens", symbols::the(&applied.name), spoken(&applied.when));
+    let own = symbols::last(&applied.name);
+    let turns = symbols::angular_impulse(own);
     let stated = |left: &str, right: Written| names.stated(Math::symbol(left), &right, &applied.name);
-    let (law, point, torque) = match &applied.application {
+    let (symbol, law, point, torque) = match &applied.application {
         Application::Torque(couple) => {
-            (stated(&symbol, Written::Scalar(couple.clone())), "", vec![math(&Math::symbol(&symbol))])
+            let law = stated(&turns, Written::Scalar(couple.clone()));
+            (turns.clone(), law, "", vec![math(&Math::symbol(&turns))])
         }
         Application::Force { at, force, frame } => {
+            let symbol = symbols::impulse(own);
             let turned =
                 if *frame == Frame::Body { rotated(force, &kinematics.angle()) } else { force.clone() };
-            let arm = Written::named(&symbols::arm(&symbol), Written::Vector(at.arm(&kinematics)));
+            let arm = Written::named(&symbols::arm(&symbol), Written::Vector(at.arm(kinematics)));
             let acts = Written::named(&symbol, Written::Vector(turned.clone()));
-            let torque =
-                names.stated(Math::symbol(&symbols::torque(&symbol)), &arm.cross(acts), &applied.name);
-            (
-                stated(&symbol, Written::Vector(turned)),
-                "its point of action",
-                torque.into_iter().take(2).collect(),
-            )
+            let torque = stated(&turns, arm.cross(acts)).into_iter().take(2).collect();
+            let law = stated(&symbol, Written::Vector(turned));
+            (symbol, law, "its point of action", torque)
         }
     };
     ForceRow { name: name.into(), symbol: math(&Math::symbol(&symbol)), law, point: point.into(), torque }

@@ -6,7 +6,7 @@ use crate::report::{BodyRow, Identify, QuantityRow, Text};
 use tumble_expr::{Dimension, Expr, Node, Symbol, is_identically_zero};
 use tumble_mech::{Body, Shape};
 use tumble_ode::Side;
-use tumble_scene::{Curve, Study, SweepAxis, Swept};
+use tumble_scene::{Curve, Question, Study, SweepAxis, Swept};
 
 use super::names::{MASS, Names, quantity};
 use super::{alike, sizes};
@@ -206,11 +206,18 @@ fn read(value: f64, unit: String) -> (f64, String) {
 
 /// Nothing for a pure number.
 fn unit_of(study: &Study, parameter: &Symbol) -> String {
-    let is_angle = study.angles.contains(&*parameter.name);
+    let is_angle = study.is_angle(&parameter.name) || is_called_angular(study, parameter);
     if parameter.dimension == Dimension::NONE && !is_angle {
         return String::new();
     }
     unit(parameter.dimension, is_angle)
+}
+
+/// Whether the scene calls it an angular velocity or acceleration: of what it is computed its unit does not tell.
+fn is_called_angular(study: &Study, parameter: &Symbol) -> bool {
+    let rates = [Dimension::ANGULAR_RATE, Dimension::ANGULAR_ACCELERATION];
+    let meaning = study.meanings.get(&*parameter.name);
+    rates.contains(&parameter.dimension) && meaning.is_some_and(|words| words.starts_with("angular "))
 }
 
 /// The states just before anything happens: positions and velocities as vectors, and of many bodies what is not zero.
@@ -282,7 +289,12 @@ fn start(
 fn sought(study: &Study) -> Vec<Text> {
     let all = symbols::all(study);
     let called = |text: &str| Text::from(symbols::called(study, &all, text));
-    let mut sought: Vec<Text> = study.finds.iter().map(|find| finds::called(study, find).into()).collect();
+    let asked = |questions: &[Question]| {
+        let others = questions[1..].iter().map(|question| finds::that(study, question));
+        let first = Text::from(finds::called(study, &questions[0]));
+        others.fold(first, |all, other| all.and(", ").and(other))
+    };
+    let mut sought: Vec<Text> = finds::at_once(study).map(asked).collect();
     let named = |curve: &Curve| match &curve.label {
         Some(label) => Text::from(tumble_drawing::Label::markup(label)),
         None => called(&curve.text),

@@ -141,7 +141,7 @@ fn restitution(names: &Names, pair: &Pair, is_single: bool) -> (Vec<Typeset>, Ve
         None => Restitution::Poisson,
         Some(friction) => friction.restitution.unwrap_or_default(),
     };
-    let more = if is_single { "" } else { " (more of it where the gap would close again)" };
+    let more = if is_single { "" } else { " (as much more as keeps the gap from closing again)" };
     match ratio {
         Restitution::Newton => (
             times("v_n,1", -restitution, "v_n,0"),
@@ -151,15 +151,12 @@ fn restitution(names: &Names, pair: &Pair, is_single: bool) -> (Vec<Typeset>, Ve
             times("J_1", restitution.clone(), "J_0"),
             vec![meant(
                 &["J_0", "J_1"],
-                &format!("normal impulse while they approach each other, and while they part{more}"),
+                &format!("normal impulse of the approach, and of the separation{more}"),
             )],
         ),
         Restitution::Stronge => (
             times("W_1", -(restitution * restitution), "W_0"),
-            vec![meant(
-                &["W_0", "W_1"],
-                "work of the normal force while they approach each other, and while they part",
-            )],
+            vec![meant(&["W_0", "W_1"], "work of the normal force in the approach, and in the separation")],
         ),
     }
 }

@@ -25,13 +25,14 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<ModelPa
     let bodies: Vec<BodyModel> = bodies.collect::<Result<_, _>>()?;
     let mut modes = equations::modes(study, names, cases, &kinds);
     // What the laws have said the equations do not say again.
-    let rows = bodies.iter().flat_map(|body| &body.forces).flat_map(|row| row.law.iter().chain(&row.torque));
+    let rows = bodies.iter().flat_map(|body| body.forces.iter().chain(&body.impulses));
+    let rows = rows.flat_map(|row| row.law.iter().chain(&row.torque));
     let laws = bodies.iter().flat_map(|body| &body.laws).flat_map(|law| &law.definitions);
     let said: Vec<&Typeset> = rows.chain(laws.map(|definition| &definition.symbol)).collect();
     let equations = modes.iter_mut().flat_map(|mode| &mut mode.equations);
     equations.for_each(|block| block.definitions.retain(|definition| !said.contains(&&definition.symbol)));
     let laws: Vec<&Typeset> = bodies.iter().flat_map(|body| &body.laws).flat_map(|law| &law.lines).collect();
-    let acts = bodies.iter().any(|body| !body.forces.is_empty());
+    let acts = bodies.iter().any(|body| !(body.forces.is_empty() && body.impulses.is_empty()));
     once::say_once(&mut modes, &laws, if acts { BY_NAME } else { BY_LAWS });
     Ok(ModelPart {
         intro: vec![],
@@ -131,6 +132,7 @@ fn one(
         name: Text::from(kind.name(study)).capitalised(),
         diagrams: diagrams(study, drawn, body, said)?,
         forces: forces::of(study, names, passed, body),
+        impulses: forces::impulses(study, names, body),
         laws: std::iter::once(laws::of(study, names, passed, body, said))
             .chain(impacts::of_body(study, names, cases, body, said))
             .collect(),

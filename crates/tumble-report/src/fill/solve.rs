@@ -1,5 +1,7 @@
 //! Closed forms where there are any, and how the rest was integrated.
 
+use std::collections::BTreeSet;
+
 use crate::report::{Column, Phase, PrintedTable, Solve, Text};
 use tumble_mech::{Divergence, Horizon};
 use tumble_scene::Study;
@@ -17,7 +19,10 @@ pub(super) fn of(study: &Study, names: &Names, cases: &[Case]) -> Result<Solve, 
     let told = telling(cases);
     let phases = phases_of_runs(study, names, &told)?;
     let is_exact = |case: &Case| case.run.work().exact_steps == case.run.work().steps;
+    let rests = cases.iter().map(|case| Ok(case.run.rest()? == Some(0.0)));
+    let rest = rests.collect::<Result<Vec<bool>, CaseError>>()?.into_iter().all(|rests| rests);
     let intro = match (phases.is_empty(), cases.iter().all(is_exact)) {
+        _ if rest => "Nothing moves: every velocity stays zero, and every acceleration.",
         (false, true) => {
             "Between the events all accelerations are constant or polynomials in time: the motion is known in closed form, and the steps of the \
              method are exact."
@@ -121,7 +126,7 @@ fn how(cases: &[&Case]) -> PrintedTable {
             case.run.work().steps.to_string().into(),
             some(&|case| case.run.work().exact_steps, 0, case),
             some(&|case| case.run.work().rejected, 0, case),
-            some(&|case| case.run.work().modes, 1, case),
+            some(&lasting_modes, 1, case),
             points.unwrap_or_default().into(),
             held.unwrap_or_default().into(),
         ]
@@ -131,19 +136,27 @@ fn how(cases: &[&Case]) -> PrintedTable {
     PrintedTable { notes: vec![explained(&table)], ..table }
 }
 
+/// How many different sets of equations hold for longer than an instant.
+fn lasting_modes(case: &Case) -> u64 {
+    let pieces = case.run.trajectory().pieces.iter().filter(|piece| piece.start < piece.end);
+    pieces.map(|piece| piece.mode).collect::<BTreeSet<_>>().len() as u64
+}
+
 /// What the columns mean that are there.
 fn explained(table: &PrintedTable) -> Text {
     let meanings = [
-        ("Order", "of the Taylor series"),
-        ("Exact steps", "those in which the motion is a polynomial"),
-        ("Repeated", "steps tried again, shorter"),
-        ("Modes", "sets of equations, by what touches, slides or acts, those of an instant too"),
-        ("Points along lines", "those at which the air is summed"),
+        ("Order", "The order is that of the Taylor series."),
+        ("Exact steps", "In exact steps the motion is a polynomial in time."),
+        ("Repeated", "Repeated steps were tried again, shorter."),
+        (
+            "Modes",
+            "A mode is a set of equations, by what touches, slides or acts; those of an instant are not counted.",
+        ),
+        ("Points along lines", "At points along lines the air is summed."),
     ];
     let is_there = |name: &str| table.filled().iter().any(|i| table.columns[*i].heading.to_plain() == name);
-    let said = meanings.iter().filter(|(name, _)| is_there(name));
-    let said: Vec<String> = said.map(|(name, meaning)| format!("{name}: {meaning}")).collect();
-    format!("{}.", said.join("; ")).into()
+    let said = meanings.iter().filter(|(name, _)| is_there(name)).map(|(_, meaning)| *meaning);
+    said.collect::<Vec<_>>().join(" ").into()
 }
 
 /// What is told of one run, with its label where there are several.

@@ -85,3 +85,14 @@ fn angles_that_were_found_are_told_in_degrees_too() {
     let rows: Vec<&str> = markdown.lines().filter(|row| row.contains("passed")).collect();
     assert!(rows.len() == 2 && rows[1].matches("30°").count() == 2, "{rows:?}");
 }
+
+#[test]
+fn what_is_computed_as_an_angle_has_its_unit() {
+    let block = report(scenes::motions_called("27-rocking-block"));
+    let unit = |symbol: &str| {
+        let own =
+            block.identify.parameters.iter().find(|row| row.symbol == crate::report::Text::symbol(symbol));
+        own.map(|row| row.unit.clone()).unwrap_or_default()
+    };
+    assert_eq!(["alpha", "theta_0", "omega_0", "r"].map(unit), ["deg", "deg", "rad/s", ""]);
+}

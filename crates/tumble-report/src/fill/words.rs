@@ -87,8 +87,7 @@ fn contacts(study: &Study, equations: &Equations, mode: &Mode) -> Vec<String> {
     for (index, contact_mode) in &mode.contacts {
         let pair = &equations.pairs()[*index];
         let verb = verb(*contact_mode, grip(equations, mode, *index), pair);
-        let without = if *contact_mode == ContactMode::Idle { " without pressing" } else { "" };
-        add(&mut groups, (verb, against(study, pair) + without), point(study, pair));
+        add(&mut groups, (verb, against(study, pair)), point(study, pair));
     }
     if groups.len() > MOST_GROUPS {
         return counted(&groups);

@@ -32,8 +32,8 @@ pub(super) fn document(report: &Report) -> String {
 /// The forces, laws, equations of motion and closed forms alone, as a part of a document of many scenes.
 pub(super) fn equations(report: &Report) -> String {
     let body = |body: &BodyModel| {
-        let forces = PrintedTable { caption: Text::default(), ..rows::forces(&body.forces) };
-        let content = Markdown::joined([Markdown::table(&forces), Markdown::blocks(&body.laws)]);
+        let acting = rows::acting(body).map(|table| PrintedTable { caption: Text::default(), ..table });
+        let content = Markdown::joined([Markdown::tables(&acting), Markdown::blocks(&body.laws)]);
         if content.is_empty() {
             content
         } else {

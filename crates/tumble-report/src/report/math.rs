@@ -6,7 +6,7 @@ use tumble_notation::{latex, mathml_in_pieces, text};
 /// A formula in three notations of the same content.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Typeset {
-    /// One or more `math` elements of MathML, between which a line may be broken; what has none is shown as `text`. Only notation
+    /// One or more `math` elements of MathML, between which a line may be broken, with words before them; what has none is shown as `text`. Only notation
     /// writes it, so that it stands in pages as it is.
     pub(crate) mathml: String,
     /// The formula in LaTeX, without dollar signs.

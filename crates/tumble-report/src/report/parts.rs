@@ -89,6 +89,8 @@ pub struct BodyModel {
     pub diagrams: Vec<Picture>,
     /// Forces and couples on it.
     pub forces: Vec<ForceRow>,
+    /// Impulses that events apply to it; their torques are angular impulses.
+    pub impulses: Vec<ForceRow>,
     /// Newton's laws for it, as blocks.
     pub laws: Vec<Block>,
 }

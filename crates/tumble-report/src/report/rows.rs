@@ -1,7 +1,7 @@
 //! What has a form of its own in a report, as plain tables.
 
 use crate::report::math::Typeset;
-use crate::report::parts::{BodyRow, CheckRow, ForceRow, QuantityRow};
+use crate::report::parts::{BodyModel, BodyRow, CheckRow, ForceRow, QuantityRow};
 use crate::report::prose::Text;
 use crate::report::table::{Column, PrintedTable};
 use tumble_drawing::text::Label;
@@ -37,7 +37,8 @@ fn property(quantity: &QuantityRow) -> Text {
 pub(super) fn quantities(caption: &str, quantities: &[QuantityRow]) -> PrintedTable {
     let columns = ["Quantity", "Symbol", "Value", "Remark"].map(Column::words);
     let rows = quantities.iter().map(|one| quantity(one).into());
-    rows.fold(PrintedTable::new(caption, columns.into()), PrintedTable::row)
+    let table = PrintedTable { stacked: true, ..PrintedTable::new(caption, columns.into()) };
+    rows.fold(table, PrintedTable::row)
 }
 
 /// Name, symbol, value after what it is computed by, remark.
@@ -72,18 +73,30 @@ fn stated(lines: &[Typeset]) -> Text {
     lines.iter().enumerate().fold(Text::default(), add)
 }
 
-/// The forces on a body.
-pub(super) fn forces(forces: &[ForceRow]) -> PrintedTable {
-    let columns = ["Force", "Law", "Torque about the centre of mass"].map(Column::words);
+/// The forces on a body, and the impulses.
+pub(super) fn acting(body: &BodyModel) -> [PrintedTable; 2] {
+    [
+        acts(
+            "These forces and couples act on it.",
+            ["Force", "Law", "Torque about the centre of mass"],
+            &body.forces,
+        ),
+        acts(
+            "These impulses act on it, each in an instant.",
+            ["Impulse", "Law", "Angular impulse about the centre of mass"],
+            &body.impulses,
+        ),
+    ]
+}
+
+fn acts(caption: &str, columns: [&str; 3], forces: &[ForceRow]) -> PrintedTable {
     let row = |force: &ForceRow| {
         let name = force.name.clone().and(" ").and(shown(&force.symbol));
         let name = if force.point.is_empty() { name } else { name.and("\nat ").and(force.point.clone()) };
         vec![name, stated(&force.law), stated(&force.torque)]
     };
-    let table = PrintedTable {
-        stacked: true,
-        ..PrintedTable::new("These forces and couples act on it.", columns.into())
-    };
+    let columns = columns.map(Column::words);
+    let table = PrintedTable { stacked: true, ..PrintedTable::new(caption, columns.into()) };
     forces.iter().map(row).fold(table, PrintedTable::row)
 }
 

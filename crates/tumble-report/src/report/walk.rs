@@ -97,7 +97,7 @@ pub(super) trait Writer: Markup {
         let is_broad = body.diagrams.iter().any(|picture| picture.svg.width > COLUMN);
         let content = [
             self.pictures("diagrams", &body.diagrams),
-            Self::group("forces", Self::table(&rows::forces(&body.forces))),
+            Self::group("forces", Self::tables(&rows::acting(body))),
             Self::group("laws", Self::blocks(&body.laws)),
         ];
         let class = if is_broad { "acting broad" } else { "acting" };

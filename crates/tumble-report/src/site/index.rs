@@ -75,7 +75,8 @@ impl Index {
     }
 
     fn scripts(&self) -> String {
-        let motions = self.entries.iter().filter_map(|entry| entry.motion.as_ref()).map(live::living);
+        let motion = |entry: &Entry| Some(live::living(entry.motion.as_ref()?, &entry.summary));
+        let motions = self.entries.iter().filter_map(motion);
         let data = object([("plots", list([])), ("motions", list(motions))]);
         let scripts = joined(&SCRIPTS);
         format!(

@@ -16,9 +16,18 @@ const FROM_ABOVE: [&str; 2] = ["position", "velocity"];
 pub(crate) fn words(study: &Study, text: &str) -> Option<String> {
     let noun = noun(study, text)?;
     let (owner, _) = without_unit(text).rsplit_once('.')?;
-    let is_one_of_many =
-        study.model.bodies.len() > 1 && study.model.bodies.iter().any(|body| body.name == owner);
-    Some(if is_one_of_many { format!("{noun} of {}", the(owner)) } else { noun.to_owned() })
+    let bodies = &study.model.bodies;
+    let is_one_of_many = bodies.len() > 1 && bodies.iter().any(|body| body.name == owner);
+    let point = owner.split_once('.').and_then(|(body, point)| {
+        let own = bodies.iter().find(|own| own.name == body)?;
+        own.points.iter().any(|(name, _)| name == point).then(|| (the_point(point), the(body)))
+    });
+    Some(match point {
+        Some((point, body)) if bodies.len() > 1 => format!("{noun} of {point} of {body}"),
+        Some((point, _)) => format!("{noun} of {point}"),
+        None if is_one_of_many => format!("{noun} of {}", the(owner)),
+        None => noun.to_owned(),
+    })
 }
 
 /// What a quantity is called in a sentence: words and symbol where it has them, `angle θ`.
@@ -28,10 +37,20 @@ pub(crate) fn called(study: &Study, symbols: &BTreeMap<String, String>, text: &s
         return Label::plain(&in_words(study, name));
     }
     let label = label(symbols, text);
-    match words(study, text) {
+    if let Some(meaning) = study.meanings.get(name) {
+        return Label::markup(meaning).then(Label::plain(" (")).then(label).then(Label::plain(")"));
+    }
+    match of_surface(study, name).or_else(|| words(study, text)) {
         Some(words) => Label::plain(&format!("{words} ")).then(label),
         None => label,
     }
+}
+
+/// `normal force of the floor`: a surface is none of the bodies that a quantity is of without saying so.
+fn of_surface(study: &Study, name: &str) -> Option<String> {
+    let (owner, _) = name.rsplit_once('.')?;
+    study.model.surfaces.iter().find(|surface| surface.name == owner)?;
+    Some(format!("{} of {}", noun(study, name)?, the(owner)))
 }
 
 /// Whether a name is one of what an event has left behind, which does not change any more.

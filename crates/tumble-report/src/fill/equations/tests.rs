@@ -155,21 +155,31 @@ fn conditions_of_contacts_say_their_own_reasons() {
         let study = study.with(&cases[0].parameters);
         let names = Names::of(&study).expect("names");
         let told = crate::fill::model::of(&study, &names, &cases).expect("a model").modes;
-        let said = told.iter().flat_map(|mode| &mode.equations).flat_map(|block| &block.definitions);
-        said.map(|one| format!("{}: {}", one.symbol.text, one.meaning.to_plain())).collect::<Vec<_>>()
+        let lines = told.iter().flat_map(|mode| &mode.equations).flat_map(|block| &block.lines);
+        let reason = |text: &str| {
+            text.split_once("\u{2003}since ").map(|(left, why)| (left.to_owned(), why.to_owned()))
+        };
+        lines.filter_map(|line| reason(&line.text)).collect::<Vec<_>>()
     };
-    let incline = reasons("20-rolling-down");
-    let stays = "A_y cos β − A_x sin β = 0: the disk stays on the incline";
-    assert!(incline.contains(&stays.to_owned()), "{incline:?}");
-    let rod = reasons("28-painleve-rod");
-    for said in ["A_y: the foot stays on the floor", "A_x: the foot does not slip on the floor"] {
-        assert!(rod.contains(&said.to_owned()), "{rod:?}");
-    }
-    let block = reasons("17-block-on-a-slope");
-    for said in [
-        "α = 0: the block does not turn",
-        "A_x cos β + A_y sin β = 0: corners 1 and 2 of the block do not slip on the incline",
-    ] {
-        assert!(block.contains(&said.to_owned()), "{block:?}");
-    }
+    let has = |scene: &str, left: &str, why: &str| {
+        let all = reasons(scene);
+        assert!(all.iter().any(|(line, reason)| line.starts_with(left) && reason == why), "{all:?}");
+    };
+    has("20-rolling-down", "A_y cos β − A_x sin β = 0", "the disk stays on the incline");
+    has("28-painleve-rod", "A_y = ", "the foot stays on the floor");
+    has("28-painleve-rod", "A_x = ", "the foot does not slip on the floor");
+    has("17-block-on-a-slope", "α = 0", "the block does not turn");
+    let slip = "corners 1 and 2 of the block do not slip on the incline";
+    has("17-block-on-a-slope", "A_x cos β + A_y sin β = 0", slip);
+}
+
+#[test]
+fn a_force_that_others_could_bear_is_said_to_be_a_choice() {
+    let (study, cases) = crate::scenes::motions_called("16-bench-on-three-feet");
+    let names = Names::of(&study).expect("names");
+    let told = crate::fill::model::of(&study, &names, &cases).expect("a model").modes;
+    let definitions = || told.iter().flat_map(|mode| &mode.equations).flat_map(|block| &block.definitions);
+    let choice = definitions().find(|one| one.meaning.to_plain() == ONE_CHOICE).expect("it is said");
+    assert_eq!(choice.symbol.text, "N_middle = 0");
+    assert!(!told[0].name.to_plain().contains("without"), "{told:?}");
 }

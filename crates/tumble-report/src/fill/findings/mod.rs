@@ -24,7 +24,7 @@ mod throw;
 mod turning;
 
 use tumble_mech::Gravity;
-use tumble_scene::{Question, Study};
+use tumble_scene::{Question, Study, When};
 
 use super::names::quantity;
 use super::sweep;
@@ -36,9 +36,15 @@ use said::Said;
 pub(super) use said::{ALL_VERIFIED, with_digits};
 use seen::Seen;
 
+/// So many runs are answered one by one; of more it is told in which an answer is largest and smallest.
+const FEW: usize = 4;
+
 pub(super) fn of(study: &Study, runs: Runs<'_>, told: &[&Case]) -> Result<Vec<Text>, CaseError> {
+    let is_located = runs.survey.located.iter().any(|located| located.place.made > 0);
     let mut found: Vec<Text> = match runs.cases {
-        [only] => asked(study, only),
+        few if few.len() <= FEW && !is_located => {
+            said::together(&few.iter().map(|case| (case, asked(study, case))).collect::<Vec<_>>())
+        }
         _ => sweep::findings(study, runs),
     };
     let own = told.iter().map(|case| Ok((*case, of_run(&study.with(&case.parameters), case)?)));
@@ -50,26 +56,53 @@ pub(super) fn of(study: &Study, runs: Runs<'_>, told: &[&Case]) -> Result<Vec<Te
     Ok(found)
 }
 
-/// What the scene asks for.
-fn asked(study: &Study, case: &Case) -> Vec<Text> {
+/// What the scene asks for; what it asks for at one instant is one sentence.
+fn asked(study: &Study, case: &Case) -> Vec<Said> {
+    let mut finds = case.finds.iter();
+    let sentences = finds::at_once(study).map(|questions| {
+        let answers: Vec<_> = finds.by_ref().zip(questions).collect();
+        answered(study, case, &answers)
+    });
+    sentences.collect()
+}
+
+/// `Lowest: speed v is 2 m/s and normal force N is 5 N, at 0.4 s`
+fn answered(study: &Study, case: &Case, answers: &[(&FindResult, &Question)]) -> Said {
+    let (first, question) = answers[0];
+    let words = Text::from(finds::called(study, question));
     let end = case.run.end().unwrap_or(f64::INFINITY);
-    let text = |(find, question): (&FindResult, &Question)| {
-        let words = Text::from(finds::called(study, question)).capitalised();
-        let words = match find.during {
-            Some([from, to]) if to < end => {
-                words.and(" between ").and(quantity(from, "s")).and(" and ").and(quantity(to, "s"))
-            }
-            Some([from, _]) => words.and(" from ").and(quantity(from, "s")).and(" on"),
-            None => words,
-        };
-        let at = |words: Text| words.and(", at ").and(quantity(find.at, "s")).and(".");
-        match find.open() {
-            _ if !find.is_reached() => words.and(": not reached, its time does not come in this motion."),
-            Some(open) => at(words.and(format!(" {open}"))),
-            None => at(words.and(" is ").and(with_digits(find.value, find.error, &find.unit))),
+    let words = match first.during {
+        Some([from, to]) if to < end => {
+            words.and(" between ").and(quantity(from, "s")).and(" and ").and(quantity(to, "s"))
         }
+        Some([from, _]) => words.and(" from ").and(quantity(from, "s")).and(" on"),
+        None => words,
     };
-    case.finds.iter().zip(&study.finds).map(text).collect()
+    if !first.is_reached() {
+        return Said::new(words.and(": "), "not reached, its time does not come in this motion".into());
+    }
+    let (verb, value) = value(first);
+    let others = answers[1..].iter().enumerate().map(|(index, (find, question))| {
+        let between = if index + 2 == answers.len() { " and " } else { ", " };
+        let (verb, value) = self::value(find);
+        Text::from(between).and(finds::that(study, question)).and(format!(" {verb}")).and(value)
+    });
+    let values = others.fold(value, Text::and);
+    // When a run ends that nothing stops is known.
+    let is_told = match question.at {
+        When::End => case.run.ends_at_event() && !finds::is_given(study, question),
+        _ => true,
+    };
+    let at = if is_told { Text::from(", at ").and(quantity(first.at, "s")) } else { Text::default() };
+    Said::new(words.and(format!(" {verb}")), values.and(at))
+}
+
+/// What a question has for an answer: `is `, `2 m/s`; what is said instead of a value has a verb of its own.
+fn value(find: &FindResult) -> (&'static str, Text) {
+    match find.open() {
+        Some(open) => ("", open.into()),
+        None => ("is ", with_digits(find.value, find.error, &find.unit)),
+    }
 }
 
 /// What is striking in one run.

@@ -122,6 +122,11 @@ impl Seen<'_> {
         symbols::the(self.name())
     }
 
+    /// What one of its quantities is shown as.
+    pub(super) fn symbol(&self, quantity: &str) -> Text {
+        symbols::label(&symbols::all(self.study), &format!("{}.{quantity}", self.name())).into()
+    }
+
     /// The time of an event, s, with its digits.
     pub(super) fn event_time(&self, time: f64) -> Text {
         let error = self.case.trust.as_ref().and_then(|trust| trust.event_error(&self.case.run, time));

@@ -26,6 +26,9 @@ pub(super) fn apex(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let tops = seen.falls_through_zero(motion.velocity().y())?;
     let place = |time: &f64| {
         let height = seen.known(*time, motion.position().y(), "m")?;
+        // Below the origin it is no height, but a coordinate.
+        let is_below = seen.at(*time, motion.position().y())? < 0.0;
+        let height = if is_below { seen.symbol("y").and("\u{a0}=\u{a0}").and(height) } else { height };
         Ok((height, seen.instant(*time, motion.velocity().y())?))
     };
     let listed: Vec<(Text, Text)> =
@@ -34,7 +37,7 @@ pub(super) fn apex(seen: &Seen<'_>) -> Result<Option<Said>, CaseError> {
     let are_alike = others.iter().all(|(height, _)| height.to_plain() == first.to_plain());
     let words = match (others.is_empty(), are_alike) {
         (true, _) => "a highest point, ",
-        (false, true) => "its greatest height, ",
+        (false, true) => "its highest point, ",
         (false, false) => "highest points, ",
     };
     let one = |(index, (height, time)): (usize, &(Text, Text))| match are_alike && index > 0 {

@@ -35,9 +35,19 @@ class LivePlayer extends Player {
     Object.assign(this, this.frozen);
   }
 
-  /** Seconds that an arrow of a velocity is long. */
+  /** Seconds that an arrow of a velocity is long: those of the starts end in the picture. */
   arrowTime() {
-    return this.frozen?.arrow ?? (ARROW_PART * this.duration || 1);
+    const rooms = () => this.motion.bodies.map((body) => this.roomFor(body));
+    return this.frozen?.arrow ?? Math.min(ARROW_PART * this.duration || 1, ...rooms().filter(Number.isFinite));
+  }
+
+  /** Seconds after which a body that goes on as it starts is at the edge of the picture, with the handle at its arrow, and beside its own. */
+  roomFor(body) {
+    const velocity = ["vx", "vy"].map((key) => this.grips?.of(`${plain(body.name)}.start.${key}`)?.value() ?? 0);
+    const rates = [velocity[0] * this.scale, -velocity[1] * this.scale];
+    const at = this.pixel(body.x[0], body.y[0]);
+    const rooms = rates.map((rate, k) => ((rate > 0 ? this.size[k] - at[k] : at[k]) - 2 * HANDLE) / Math.abs(rate));
+    return Math.max(Math.min(...rooms), (3 * HANDLE) / Math.hypot(...rates));
   }
 
   /** What comes next is of another scene: nothing of this one is compared with it. */

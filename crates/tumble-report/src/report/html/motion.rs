@@ -1,6 +1,7 @@
 //! The data of a motion for the page's scripts, and the picture that stands for it without them.
 
 use super::data::{label, mark};
+use crate::report::Text;
 use crate::report::json::{list, number, object, on_grid, string};
 use tumble_drawing::free_body::{Ground, GroundCircle, NamedPoint};
 use tumble_drawing::outline::{Outline, Pose};
@@ -72,18 +73,24 @@ pub fn motion(animation: &Animation) -> String {
     motion_data(animation, &description(animation))
 }
 
-/// One case alone, small: no forces, and no more frames than a small picture needs.
-pub fn living(animation: &Animation) -> String {
-    let case = telling(&animation.cases).map(|motion| MovingCase { forces: vec![], ..motion.clone() });
+/// One case alone, small: no forces, and no more frames than a small picture needs. It is one of those that the lines beside the
+/// picture tell of, where they name some.
+pub fn living(animation: &Animation, beside: &[Text]) -> String {
+    let said: String = beside.iter().map(|line| line.to_plain().replace('\u{a0}', " ")).collect();
+    let is_named =
+        |motion: &&MovingCase| said.contains(&format!("({})", motion.name.to_plain().replace('\u{a0}', " ")));
+    let named: Vec<&MovingCase> = animation.cases.iter().filter(is_named).collect();
+    let cases = if named.is_empty() { animation.cases.iter().collect() } else { named };
+    let case = telling(&cases).map(|motion| MovingCase { forces: vec![], ..motion.clone() });
     let small = Animation { cases: case.into_iter().collect(), ..animation.clone() };
     let description = description(&small);
     data_of(&small, &description, LIVING_FRAMES)
 }
 
 /// The case that shows most: the one in which bodies come about furthest, and of equals the first.
-fn telling(cases: &[MovingCase]) -> Option<&MovingCase> {
+fn telling<'m>(cases: &[&'m MovingCase]) -> Option<&'m MovingCase> {
     let room = |motion: &MovingCase| motion.bodies.iter().map(covered).sum::<f64>();
-    cases.iter().rev().max_by(|a, b| room(a).total_cmp(&room(b)))
+    cases.iter().copied().rev().max_by(|a, b| room(a).total_cmp(&room(b)))
 }
 
 /// How far apart the places are that a body comes to, with all of it.
@@ -235,9 +242,14 @@ mod tests {
                 ..MovingCase::default()
             }
         };
-        let cases = [case("a", 0.1), case("b", 2.0), case("c", 2.0), case("d", f64::NAN)];
-        assert_eq!(telling(&cases).map(|motion| motion.name.to_plain()), Some("b".to_owned()));
+        let cases = vec![case("a", 0.1), case("b", 2.0), case("c", 2.0), case("d", f64::NAN)];
+        let all: Vec<&MovingCase> = cases.iter().collect();
+        assert_eq!(telling(&all).map(|motion| motion.name.to_plain()), Some("b".to_owned()));
         assert!(telling(&[]).is_none());
+        let animation = Animation { cases, ..Animation::default() };
+        let shown = |beside: &str| living(&animation, &[beside.into()]);
+        assert_eq!(shown("It swings by 0.1 m (a)."), shown("It does (a)."), "what the words are of");
+        assert_ne!(shown("It swings by 0.1 m (a)."), shown("It swings."));
     }
 
     #[test]

@@ -144,7 +144,8 @@ fn hostile() -> Report {
             bodies: vec![BodyModel {
                 name: words(),
                 diagrams: vec![picture()],
-                forces: vec![force],
+                forces: vec![force.clone()],
+                impulses: vec![force],
                 laws: vec![block()],
             }],
             modes: vec![ModeEquations { name: words(), holds: words(), equations: vec![block()] }],
