@@ -176,3 +176,28 @@ fn a_motion_may_stop_where_it_starts() {
     assert_eq!(observer.at(0.0, Side::Before), Some(vec![-2.0]));
     assert_eq!(observer.at(0.0, Side::After), Some(vec![1.0]));
 }
+
+/// A ball that just fits between two walls is pressed on one of them and then on the other, again and again, and moves freely between them.
+#[test]
+fn what_fits_between_two_walls_passes_from_one_to_the_other() {
+    for gravity in [0.0, 9.81] {
+        let mut model = Model::new();
+        model.gravity = Gravity::Vertical(gravity * M / (S * S));
+        let disk = model.add(Body::ball("ball", 0.5 * M).mass(1.3 * KG));
+        model.starts.push(("ball".into(), Start::default().at([0.5 * M, 0.5 * M])));
+        let push = [7 * N * (3.1 * time() / S).sin(), 0.3 * N * (2 * time() / S).cos()];
+        model.force("push", &disk.cm(), Vector::planar(push[0].clone(), push[1].clone()));
+        for (name, x, way) in [("left", 0.0, 1.0), ("right", 1.0, -1.0)] {
+            model.surface(Surface::new(name, [x * M, 0 * M], [way.into(), 0.into()], rigid(0.5)));
+        }
+        let run = run(model, 5.0, 1e-9);
+        let [x, fallen] = at(
+            &run,
+            5.0,
+            [disk.kinematics().position().x().clone(), disk.kinematics().velocity().y().clone()],
+        );
+        close(x, 0.5, 1e-14);
+        close(fallen, 0.3 / (2.0 * 1.3) * 10.0_f64.sin() - 5.0 * gravity, 1e-12);
+        assert!(run.events().count() < 10, "{} events", run.events().count());
+    }
+}

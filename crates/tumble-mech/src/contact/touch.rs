@@ -203,7 +203,11 @@ impl Equations {
         let (kicks, joints) = read.kicks(&rows, joints).ok_or_else(|| self.not_independent(island))?;
         let measures: Vec<Measure> =
             island.iter().flat_map(|body| self.velocity_measures(*body)).copied().collect();
-        let [blur, rounding] = blur(&tape, (states, now));
+        let rounded = rounded(&tape, states, now);
+        let [blur, rounding] = blur(&rounded, &tape, now);
+        // What is left of forces that come to zero at this instant is rounding of the time.
+        let left = |dof: usize| rounded.value_of(tape.bodies + read.dofs + dof).noise() / BALANCED;
+        let forces = &pushed + DVector::from_fn(read.dofs, |dof, _| left(dof));
         let speed = |row: usize, rate: f64| -> f64 {
             let own = |dof: usize| rows[(row, dof)] * states[velocities[dof]];
             let left = |dof: usize| rows[(row, dof)].abs() * LEFT * now.scales[measures[dof] as usize];
@@ -224,7 +228,7 @@ impl Equations {
             blur,
             speed: speeds(0, &rate),
             rate,
-            strength: (rows.abs() * inverse.component_mul(&pushed) + accelerations).max(),
+            strength: (rows.abs() * inverse.component_mul(&forces) + accelerations).max(),
             free,
             unlike: unlike(&inverse, &measures),
             restitution: read.column(&|pair| pair.end() + 1),
@@ -415,9 +419,8 @@ fn gaps_in_blurs(tape: &InstantTape, states: &[f64], now: Now<'_>) -> Vec<f64> {
 }
 
 /// What rounding leaves of gaps that are zero, and of the rates of gaps and slips that are.
-fn blur(tape: &InstantTape, (states, now): (&[f64], Now<'_>)) -> [DVector<f64>; 2] {
-    let jets = rounded(tape, states, now);
-    let gaps = tape.pairs.iter().map(|pair| blur_of(&jets, pair, now));
+fn blur(jets: &Jets<Rounded>, tape: &InstantTape, now: Now<'_>) -> [DVector<f64>; 2] {
+    let gaps = tape.pairs.iter().map(|pair| blur_of(jets, pair, now));
     let rows = tape.pairs.iter().chain(tape.slips.iter().map(|slip| &slip.row));
     let rates = rows.map(|row| ONE_INSTANT * jets.value_of(row.rate()).noise());
     [gaps.collect::<Vec<_>>(), rates.collect()].map(DVector::from_vec)
