@@ -93,11 +93,13 @@ impl Scene {
         })
     }
 
-    /// Why the motion ends early.
+    /// Why the motion ends early, or does not begin.
     #[track_caller]
     pub(crate) fn refusal(&self) -> String {
-        let case = self.run(&[]);
-        case.refusal.expect("a motion that is refused").to_string()
+        match pipeline::run_text("scene", &self.text(&[])) {
+            Ok(mut cases) => cases.remove(0).refusal.expect("a motion that is refused").to_string(),
+            Err(error) => format!("{error:?}"),
+        }
     }
 
     /// Steps of the motion, and these with those of all runs that it is checked by.
