@@ -22,7 +22,7 @@ use crate::report::END_OF_DIGITS;
 use crate::results::{Case, CaseError, equal_times};
 
 /// Frames of a run: smooth at the speed at which it first plays.
-const FRAMES: usize = 256;
+const FRAMES: usize = 192;
 /// Part of a body's reach within which a point of it is where a joint is.
 const HELD: f64 = 1e-6;
 /// More marks than this cannot be told apart on a slider.
