@@ -128,7 +128,7 @@ class Plot {
 
   get size() {
     const width = Math.max(this.live.clientWidth, 240);
-    return [width, clamp(0.52 * width, 230, 380)];
+    return [width, Math.max(clamp(0.52 * width, 230, 380), this.longest ?? 0)];
   }
 
   /** Pixels of a point of the diagram. */
@@ -152,7 +152,11 @@ class Plot {
     this.svg.replaceChildren();
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.svg.setAttribute("height", height);
-    this.drawTicks(width, height);
+    const least = this.drawTicks(width, height);
+    if (least > height) {
+      this.longest = least;
+      return this.draw();
+    }
     const box = { x: LEFT, y: TOP, width: width - LEFT - RIGHT, height: height - TOP - BELOW };
     const view = `${box.x} ${box.y} ${box.width} ${box.height}`;
     const inside = draw("svg", { ...box, viewBox: view, style: `width:${box.width}px` }, this.svg);
@@ -185,9 +189,10 @@ class Plot {
     drawLabel(this.svg, this.data.x.title, { class: "name", x: middle[0], y: height - 8, "text-anchor": "middle" });
     const name = drawLabel(this.svg, this.data.y.title, { class: "name", "text-anchor": "middle" });
     const turned = (y, part) => name.setAttribute("transform", `translate(11 ${y}) rotate(-90) scale(${part.toFixed(3)})`);
-    // Words that are longer than the picture is high are written smaller, and those longer than its frame in the middle of it.
+    // A picture is at least as high as its words are long, so that they need not be small; those longer than its frame stand in the middle of it.
     const long = name.getComputedTextLength();
     turned(long > 2 * middle[1] ? height / 2 : middle[1], Math.min(1, (height - 8) / Math.max(long, 1)));
+    return long + 8;
   }
 
   drawCurve(series, parent) {
