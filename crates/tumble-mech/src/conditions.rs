@@ -262,7 +262,7 @@ impl Condition {
                 Some(ModelError::NoDirection { what: what() })
             }
             _ if !value.is_finite() => Some(ModelError::NotFinite { what: what(), value }),
-            Must::LeaveRoom if value <= 0.0 => Some(ModelError::NoRoom { what: what(), less: 0.0 - value }),
+            Must::LeaveRoom if value <= 0.0 => Some(ModelError::NoRoom { what: what(), less: value.abs() }),
             Must::HaveSides if value <= 0.0 => Some(ModelError::Flat { what: what() }),
             Must::GoRoundLeft if value < 0.0 => Some(ModelError::Clockwise { what: what() }),
             Must::BeConvex if value < 0.0 => Some(ModelError::NotConvex { what: what() }),

@@ -100,11 +100,15 @@ impl Study {
         Ok(self.model.parameters.evaluate(std::slice::from_ref(formula))?[0])
     }
 
-    /// Whether a parameter is an angle, or an angle per time: by its unit, or because it is computed of such.
+    /// Whether a parameter is an angle, or an angle per time: by its unit, or because it is computed of such, which come before it.
     pub fn is_angle(&self, parameter: &str) -> bool {
-        let formula = || self.model.parameters.formulas().find(|(symbol, _)| *symbol.name == *parameter);
-        let is_computed = |formula: &Expr| is_angular_by(formula, &|name| self.is_angle(name));
-        self.angles.contains(parameter) || formula().is_some_and(|(_, formula)| is_computed(formula))
+        let mut found: BTreeSet<&str> = self.angles.iter().map(String::as_str).collect();
+        for (symbol, formula) in self.model.parameters.formulas() {
+            if is_angular_by(formula, &|name| found.contains(name)) {
+                found.insert(&symbol.name);
+            }
+        }
+        found.contains(parameter)
     }
 
     /// What its user should know before it is run.

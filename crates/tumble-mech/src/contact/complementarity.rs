@@ -16,8 +16,8 @@ pub(crate) const ZERO: f64 = 1e-11;
 pub(crate) const DEPENDENT: f64 = 1e-9;
 /// Rounding leaves no more than this part of the numbers that a pivot is the difference of: each has passed through some tens of operations.
 const PIVOT_ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// What is this part of its terms is none but for rounding: pushes stop what they hold to some tens of rounding errors of what they do there.
-const BALANCES: f64 = 64.0 * f64::EPSILON;
+/// A sum that is this part of its terms is none but for rounding: what pushes and impulses do balances to some tens of rounding errors.
+pub(crate) const BALANCES: f64 = 64.0 * f64::EPSILON;
 /// What closes slower than the fastest by less than this part closes as fast: which of two feet enters is not left to rounding.
 const AS_FAST: f64 = 1e-6;
 /// Rounds for each contact. Few contacts enter twice; more rounds than this are rounding that goes around in circles.
@@ -107,6 +107,9 @@ pub(crate) fn following(
     others: impl IntoIterator<Item = usize>,
     some: &[usize],
 ) -> Vec<usize> {
+    if some.is_empty() {
+        return vec![];
+    }
     let kept = independent(a, others);
     let follows = |row: &usize| independent(a, kept.iter().copied().chain([*row])).len() == kept.len();
     some.iter().copied().filter(follows).collect()
@@ -130,18 +133,19 @@ pub(crate) fn are_independent(a: &DMatrix<f64>, rows: &[usize]) -> bool {
 /// `b + A z` without what rounding leaves of it, row by row: a light body between heavy ones is pushed by forces that balance, each of which would
 /// do much to it.
 pub(crate) fn moved(a: &DMatrix<f64>, b: &DVector<f64>, z: &DVector<f64>) -> DVector<f64> {
-    let sizes = terms(a, b, z);
-    (b + a * z).zip_map(&sizes, |w, size| if w.abs() > BALANCES * size { w } else { 0.0 })
+    let mut w = b + a * z;
+    for (row, w) in w.iter_mut().enumerate() {
+        if w.abs() <= left_by_rounding(a, b, z, row) {
+            *w = 0.0;
+        }
+    }
+    w
 }
 
-/// What rounding may leave of each row of `b + A z`.
-pub(crate) fn left_by_rounding(a: &DMatrix<f64>, b: &DVector<f64>, z: &DVector<f64>) -> DVector<f64> {
-    terms(a, b, z) * BALANCES
-}
-
-/// Sizes of what each row of `b + A z` is made of.
-fn terms(a: &DMatrix<f64>, b: &DVector<f64>, z: &DVector<f64>) -> DVector<f64> {
-    b.abs() + a.abs() * z.abs()
+/// What rounding may leave of a row of `b + A z`.
+pub(crate) fn left_by_rounding(a: &DMatrix<f64>, b: &DVector<f64>, z: &DVector<f64>, row: usize) -> f64 {
+    let terms: f64 = a.row(row).iter().zip(z).map(|(a, z)| (a * z).abs()).sum();
+    BALANCES * (b[row].abs() + terms)
 }
 
 /// What of the w is nothing.

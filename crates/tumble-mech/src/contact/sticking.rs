@@ -245,10 +245,9 @@ impl Rough<'_> {
 
     /// Whether no push pulls and nothing closes.
     pub(super) fn pushes_apart(&self, found: &Pushes) -> bool {
-        let slack = self.slack(&found.pushes);
         self.contacts.iter().all(|&contact| {
             let more = found.pushes[contact] - self.given[contact];
-            more >= -slack[contact] && found.then[contact] >= -self.zero
+            more >= -self.slack(contact, &found.pushes) && found.then[contact] >= -self.zero
         })
     }
 
@@ -395,16 +394,15 @@ impl Rough<'_> {
         moved(self.response, &self.without, pushes)
     }
 
-    /// By row, a push that is none: rounding.
-    fn slack(&self, pushes: &DVector<f64>) -> DVector<f64> {
-        let left = left_by_rounding(self.response, &self.without, pushes);
-        let own = |row: usize| self.response[(row, row)].max(f64::MIN_POSITIVE);
-        DVector::from_fn(left.len(), |row, _| self.zero.max(left[row]) / own(row))
+    /// A push of a row that is none beside all pushes: rounding.
+    fn slack(&self, row: usize, pushes: &DVector<f64>) -> f64 {
+        let left = left_by_rounding(self.response, &self.without, pushes, row);
+        self.zero.max(left) / self.response[(row, row)].max(f64::MIN_POSITIVE)
     }
 
     /// Whether anything presses what slips alike.
     pub(super) fn has_load(&self, patch: &Patch, pushes: &DVector<f64>) -> bool {
-        self.normal_of(patch, pushes) > self.slack(pushes)[patch.row()]
+        self.normal_of(patch, pushes) > self.slack(patch.row(), pushes)
     }
 
     /// The same of all that slips alike.
@@ -460,7 +458,7 @@ impl Rough<'_> {
     fn instead(&self, patch: &Patch, grip: Grip, found: &Pushes) -> Option<Grip> {
         let normal = self.normal_of(patch, &found.pushes);
         let (row, slip) = (patch.row(), found.then[patch.row()]);
-        let slack = self.slack(&found.pushes)[row];
+        let slack = self.slack(row, &found.pushes);
         match grip {
             _ if patch.slips.is_some() => None,
             Grip::Sticks | Grip::Follows => {

@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 use tumble_expr::{Branches, Jets, Rounded};
 use tumble_ode::{Crossing, Reason};
 
-use crate::contact::complementarity::DEPENDENT;
+use crate::contact::complementarity::{BALANCES, DEPENDENT};
 use crate::contact::settle::{BALANCED, STANDS};
 use crate::contact::slip::Slips;
 use crate::coordinates::Measure;
@@ -59,8 +59,6 @@ impl<'a> Now<'a> {
 /// makes of it.
 const LEFT: f64 = 1e-3;
 
-/// Impulses whose sum is this part of their sizes balance each other.
-const BALANCES: f64 = 64.0 * f64::EPSILON;
 /// Pairs whose gap is larger than this part of the extent of a body have no part in what happens at an instant: what is too short to be
 /// followed does not go as far.
 const NEAR: f64 = 1e-2;

@@ -1,6 +1,6 @@
 //! What is given and what is sought.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashSet};
 
 use crate::report::{BodyRow, Identify, QuantityRow, Text};
 use tumble_expr::{Dimension, Expr, Node, Symbol, is_identically_zero};
@@ -134,7 +134,7 @@ fn shape(body: &Body) -> String {
 }
 
 fn parameters(study: &Study, names: &Names) -> Result<Vec<QuantityRow>, CaseError> {
-    let all = study.model.parameters.formulas();
+    let (all, varying) = (study.model.parameters.formulas(), varying(study));
     all.map(|(symbol, formula)| {
         let (value, unit) = read(study.number(&symbol.clone().into())?, unit_of(study, symbol));
         let found = QuantityRow {
@@ -154,7 +154,7 @@ fn parameters(study: &Study, names: &Names) -> Result<Vec<QuantityRow>, CaseErro
             None => found.by(names.written(formula)),
         };
         // Its value is that of one run.
-        let varies = found.formula.is_some() && depends_on_swept(study, symbol);
+        let varies = found.formula.is_some() && varying.contains(symbol);
         Ok(if varies { QuantityRow { value: Text::default(), unit: String::new(), ..found } } else { found })
     })
     .collect()
@@ -186,17 +186,16 @@ fn swept(study: &Study, parameter: &Symbol) -> Option<Text> {
     all.into_iter().reduce(|all, next| all.and(", ").and(next))
 }
 
-/// Whether a parameter is computed from one that is swept.
-fn depends_on_swept(study: &Study, parameter: &Symbol) -> bool {
-    let all: HashMap<&Symbol, &Expr> = study.model.parameters.formulas().collect();
-    let mut open = vec![parameter.clone()];
-    while let Some(symbol) = open.pop() {
-        if swept(study, &symbol).is_some() {
-            return true;
+/// Parameters that are swept, or computed from such, which come before them.
+fn varying(study: &Study) -> HashSet<&Symbol> {
+    let mut found = HashSet::new();
+    for (symbol, formula) in study.model.parameters.formulas() {
+        let is_swept = study.sweep.iter().any(|axis| axis.of == Swept::Parameter(symbol.name.to_string()));
+        if is_swept || formula.symbols().iter().any(|part| found.contains(part)) {
+            found.insert(symbol);
         }
-        open.extend(all.get(&symbol).into_iter().flat_map(|formula| formula.symbols()));
     }
-    false
+    found
 }
 
 /// Angles are read in degrees.

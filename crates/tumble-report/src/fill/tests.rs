@@ -96,3 +96,18 @@ fn what_is_computed_as_an_angle_has_its_unit() {
     };
     assert_eq!(["alpha", "theta_0", "omega_0", "r"].map(unit), ["deg", "deg", "rad/s", ""]);
 }
+
+/// Walks that follow each formula to what it is computed of take longer with every parameter, twice as long every other one.
+#[test]
+fn parameters_computed_of_parameters_are_each_looked_at_once() {
+    let next = |n: usize| format!("A{n} = \"0.5*A{} + 0.5*A{}\"", n - 1, n - 2);
+    let chain: Vec<String> = (2..64).map(next).collect();
+    let given = format!("A = \"A0\"\nA0 = \"20 deg\"\nA1 = \"A0\"\n{}", chain.join("\n"));
+    let scene = PENDULUM.replace("sweep = { A =", "sweep = { A0 =").replacen("A = \"20 deg\"", &given, 1);
+    let (study, cases) = scenes::motions_in("chain", scene.as_bytes(), &NoFiles);
+    assert!(study.is_angle("A63"));
+    let found = report((study, cases));
+    let last = crate::report::Text::symbol("A63");
+    let row = found.identify.parameters.iter().find(|row| row.symbol == last).expect("the last of the chain");
+    assert_eq!(row.value, crate::report::Text::default(), "the value of one run");
+}

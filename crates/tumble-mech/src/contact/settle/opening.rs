@@ -159,12 +159,13 @@ impl<'a> Settling<'a> {
             .iter()
             .filter(|position| !found.held.contains(position))
             .partition(|position| found.then[**position] > zero);
-        let kept = following(&self.touch.response, found.held.iter().copied(), &[&free[..], &still].concat());
-        let opens = |position: &usize| {
-            let then = found.then[*position];
-            then > zero || (then > 0.0 && !kept.contains(position))
-        };
-        let opening = free.into_iter().filter(opens).chain(leaving).collect();
+        let (seen, slow): (Vec<usize>, Vec<usize>) = free
+            .into_iter()
+            .filter(|position| found.then[*position] > 0.0)
+            .partition(|position| found.then[*position] > zero);
+        let kept = following(&self.touch.response, found.held.iter().copied(), &[&slow[..], &still].concat());
+        let slow = slow.into_iter().filter(|position| !kept.contains(position));
+        let opening = seen.into_iter().chain(slow).chain(leaving).collect();
         let loose = still.into_iter().filter(|position| !kept.contains(position)).collect();
         Some(Parted { opening, closing, loose, is_seen })
     }

@@ -27,8 +27,7 @@ impl Rough<'_> {
     /// The same as after sweeps, but that friction which is none stays so: where more rows stand still than are independent, pivoting has found
     /// with which of them the others are within their cones.
     fn pivoted_grip(&self, patch: &Patch, pushes: &DVector<f64>, then: &DVector<f64>) -> Grip {
-        let slack = self.slack(pushes);
-        let is_none = |(_, row): &(usize, usize)| pushes[*row].abs() <= slack[*row];
+        let is_none = |(_, row): &(usize, usize)| pushes[*row].abs() <= self.slack(*row, pushes);
         match self.swept_grip(patch, pushes, then) {
             Grip::Sticks if patch.contacts.iter().all(is_none) => Grip::Follows,
             other => other,

@@ -128,7 +128,7 @@ class Plot {
 
   get size() {
     const width = Math.max(this.live.clientWidth, 240);
-    return [width, Math.max(clamp(0.52 * width, 230, 380), this.longest ?? 0)];
+    return [width, Math.max(clamp(0.52 * width, 230, 380), this.least ?? 0)];
   }
 
   /** Pixels of a point of the diagram. */
@@ -154,7 +154,7 @@ class Plot {
     this.svg.setAttribute("height", height);
     const least = this.drawTicks(width, height);
     if (least > height) {
-      this.longest = least;
+      this.least = least;
       return this.draw();
     }
     const box = { x: LEFT, y: TOP, width: width - LEFT - RIGHT, height: height - TOP - BELOW };
@@ -188,10 +188,9 @@ class Plot {
     const middle = [(LEFT + right) / 2, (TOP + bottom) / 2];
     drawLabel(this.svg, this.data.x.title, { class: "name", x: middle[0], y: height - 8, "text-anchor": "middle" });
     const name = drawLabel(this.svg, this.data.y.title, { class: "name", "text-anchor": "middle" });
-    const turned = (y, part) => name.setAttribute("transform", `translate(11 ${y}) rotate(-90) scale(${part.toFixed(3)})`);
-    // A picture is at least as high as its words are long, so that they need not be small; those longer than its frame stand in the middle of it.
+    // Words that are longer than the frame is high stand in the middle of the picture, which is at least as high as they are long.
     const long = name.getComputedTextLength();
-    turned(long > 2 * middle[1] ? height / 2 : middle[1], Math.min(1, (height - 8) / Math.max(long, 1)));
+    name.setAttribute("transform", `translate(11 ${long > 2 * middle[1] ? height / 2 : middle[1]}) rotate(-90)`);
     return long + 8;
   }
 
