@@ -23,6 +23,7 @@
 //! Checked by `tests/remainders.rs`: what is computed from polynomials and their series is within the bound.
 
 mod definite;
+mod inverse;
 mod system;
 
 use crate::arena::Arena;

@@ -297,12 +297,13 @@ fn nothing_gets_into_each_other_or_gains_energy() {
     // 31000234 a disk rolled under one that leans on a wall, whose force is none where it is right below. In 47000084, 47000192, 47000529 and 47000629 a
     // force came to zero while what turns was turned faster or slower: without that the contact seemed to press a moment later.
     // In 47000153, 47000198 and 52001074 nothing pressed a moment later either, but for rounding; in 47000763 what closed after an impact of several was rounding of
-    // the fastest; in 52005853 what a contact bore was to pass to others beside it, and all of it was rounding; in 47000094 impacts ended at once made another contact close, whose impact set them going again, and so on.
+    // the fastest; in 52005853 what a contact bore was to pass to others beside it, and all of it was rounding; in 52008499 what was to open fell
+    // while sliding contacts lacked friction, struck, and lacked it again; in 47000094 impacts ended at once made another contact close, whose impact set them going again, and so on.
     let later = [800_424, 801_210, 801_389, 802_391, 804_463, 810_539, 810_597, 820_007];
     let last = [821_718, 822_088, 4_100_294, 20_003_388, 20_009_033];
     let stuck = [20_006_279, 20_009_597, 31_000_234];
     let turned = [47_000_084, 47_000_192, 47_000_529, 47_000_629];
-    let endless = [47_000_094, 47_000_153, 47_000_198, 47_000_763, 52_001_074, 52_005_853];
+    let endless = [47_000_094, 47_000_153, 47_000_198, 47_000_763, 52_001_074, 52_005_853, 52_008_499];
     let others = [14, 100_289, 101_533, 110_083, 110_277, 120_558, 120_822, 121_003, 131_038, 720_108];
     let seeds = [1, 2, 5, 7, 9, 10, 12, 15, 17, 20, 21]
         .into_iter()

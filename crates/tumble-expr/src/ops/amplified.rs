@@ -84,22 +84,24 @@ impl Amplifier<'_> {
 
     /// Some d with `|A^-1| (first + change(d)) <= d`, entry by entry, of a matrix whose errors change what the rows give by `change`.
     pub(crate) fn enclosed(&self, first: &[f64], change: impl Fn(&[f64]) -> Vec<f64>) -> Option<Vec<f64>> {
-        let own = self.most(first);
-        let again = |bounds: &[f64]| -> Vec<f64> {
-            own.iter().zip(self.most(&change(bounds))).map(|(own, more)| own + more).collect()
-        };
-        let mut bounds = own.clone();
-        let mut next = again(&bounds);
-        for _ in 0..REPEATS {
-            bounds = next.iter().map(|bound| WIDER * bound).collect();
-            let after = again(&bounds);
-            if after.iter().zip(&bounds).all(|(after, bound)| after <= bound) {
-                return Some(bounds);
-            }
-            next = after;
-        }
-        None
+        widened(&self.most(first), |bounds| self.most(&change(bounds)))
     }
+}
+
+/// Some d with `own + more(d) <= d`, entry by entry.
+pub(crate) fn widened(own: &[f64], more: impl Fn(&[f64]) -> Vec<f64>) -> Option<Vec<f64>> {
+    let again =
+        |bounds: &[f64]| -> Vec<f64> { own.iter().zip(more(bounds)).map(|(own, more)| own + more).collect() };
+    let mut next = again(own);
+    for _ in 0..REPEATS {
+        let bounds: Vec<f64> = next.iter().map(|bound| WIDER * bound).collect();
+        let after = again(&bounds);
+        if after.iter().zip(&bounds).all(|(after, bound)| after <= bound) {
+            return Some(bounds);
+        }
+        next = after;
+    }
+    None
 }
 
 /// Mixed bits of a counter (Steele, Lea and Flood, OOPSLA 2014): the same in every run.

@@ -13,10 +13,11 @@
 //! follows from its least eigenvalue. Source: Rump, Verification methods, Acta Numerica 19 (2010), section 10.
 
 use super::definite::Definite;
+use super::inverse::Inverse;
 use super::{ROUNDING, Remainders};
 use crate::Stage;
 use crate::ops::Slot;
-use crate::ops::amplified::{Amplifier, bits};
+use crate::ops::amplified::{Amplifier, bits, is_small};
 use crate::ops::elimination::Workspace;
 use crate::ops::solve::{Matrix, System};
 
@@ -76,7 +77,7 @@ impl super::Along<'_> {
         let bounds = match matrix.symmetric.is_some() {
             true => self.of_large(number, &left, &along),
             // Steps that follow each other are much alike.
-            false => along.bounds(&left, &mut self.found.parts),
+            false => along.bounds(&left, &mut self.found.parts).or_else(|| along.by_inverse(&left)),
         };
         let bounds = bounds.unwrap_or_else(|| vec![f64::INFINITY; system.right.len()]);
         self.found.rests[system.unknowns as usize..][..bounds.len()].copy_from_slice(&bounds);
@@ -170,6 +171,32 @@ impl Along<'_> {
             left_out.iter().zip(scales).map(|(own, scale)| (own * scale) * (own * scale)).sum();
         let error = ROUNDED * squares.sqrt() / least;
         Some(scales.iter().map(|scale| scale * error).collect())
+    }
+
+    /// Those of a small one by the series of its inverse, where it changes by more than its inverse at one place bears.
+    fn by_inverse(&self, left: &Left) -> Option<Vec<f64>> {
+        let (n, shape) = (left.len(), &self.matrix.shape);
+        if !is_small(n) {
+            return None;
+        }
+        let (_, factors) = self.factored(0.0)?;
+        let start = Amplifier { plan: &self.matrix.plan, factors: &factors };
+        let mut first = vec![0.0; n * n];
+        for column in 0..n {
+            let unit = (0..n).map(|row| if row == column { 1.0 } else { 0.0 }).collect();
+            start.solve(unit).into_iter().enumerate().for_each(|(row, c)| first[row * n + column] = c);
+        }
+        let mut rests = vec![0.0; n * n];
+        let mut matrix = vec![vec![0.0; n * n]; self.orders];
+        for row in 0..n {
+            for (entry, column) in shape.entries_of(row) {
+                rests[row * n + column] = self.rests[entry];
+                let series = self.entries[entry].iter().enumerate();
+                series.for_each(|(k, c)| matrix[k][row * n + column] = *c);
+            }
+        }
+        let both: Vec<f64> = left.orders.iter().zip(&left.rounding).map(|(own, more)| own + more).collect();
+        Inverse::of(&matrix, &rests, first)?.bounds(&both)
     }
 
     /// What errors that know nothing of each other add up to in the middle of the step.

@@ -76,6 +76,32 @@ impl Settling<'_> {
         self.stop(&rubbed, jump)
     }
 
+    /// What was made to stand with impacts that were ended at once and does not last is to stand when they have ended. Until then what slides has
+    /// no friction, without which it may fall: it rises now with what that friction would do to it. Else it would strike then, and impacts
+    /// be ended at once again, and so on.
+    pub(super) fn rise_meanwhile(&mut self, lasting: &Lasting, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+        let (Some(time), Some(rubbing)) = (self.resolved(self.bounced), &lasting.rubbing) else {
+            return Ok(());
+        };
+        let mut kept = lasting.held();
+        let Some(rubbed) = self.rubbed(rubbing, &kept, time) else { return Ok(()) };
+        let rise = &self.touch.response * rubbed;
+        let lasts = |position: &usize| lasting.modes.iter().any(|(known, _)| known == position);
+        let rises = |position: &usize| {
+            self.stands(*position) && !lasts(position) && rise[*position] > self.no_rate(*position)
+        };
+        let open: Vec<usize> = self.part.iter().copied().filter(rises).collect();
+        if open.is_empty() {
+            return Ok(());
+        }
+        let mut rates = self.rates();
+        open.iter().for_each(|position| rates[*position] -= rise[*position]);
+        kept.extend(open);
+        // What depends on others is left to strike.
+        let Some(risen) = standing(&self.touch.response, &rates, &kept) else { return Ok(()) };
+        self.stop(&risen, jump)
+    }
+
     /// What friction of what slides does in a time, N s, with what keeps standing what stands.
     fn rubbed(
         &self,

@@ -10,8 +10,10 @@ use tumble_drawing::svg::Svg;
 use tumble_drawing::track::BodyPath;
 use tumble_drawing::{Animation, Label, LinkKind, MovingBody, MovingCase, MovingForce, MovingLink};
 
-/// Steps over the range of places and of forces: finer than a screen shows.
+/// Steps over the range of places: finer than a screen shows.
 const STEPS: f64 = 1e4;
+/// Steps over the range of forces, whose arrows are a tenth of the picture.
+const ARROW_STEPS: f64 = 1e3;
 /// Steps over the duration, so that instants agree with those of curves.
 const TIME_STEPS: f64 = 1e6;
 /// Frames of one case, at most and at least, and numbers of all cases together: about a megabyte.
@@ -148,15 +150,15 @@ fn case(motion: &MovingCase, frames: &[usize]) -> String {
     ])
 }
 
-/// The values at the kept frames; the last one stays where there are too few.
-fn at_frames<T>(values: &[T], frames: &[usize], of: impl Fn(&T) -> f64) -> String {
+/// The values at the kept frames, so many steps over their range; the last one stays where there are too few.
+fn at_frames<T>(values: &[T], frames: &[usize], steps: f64, of: impl Fn(&T) -> f64) -> String {
     let values: Vec<f64> = frames.iter().filter_map(|i| values.get(*i).or(values.last()).map(&of)).collect();
-    on_grid(values.iter().copied(), STEPS)
+    on_grid(values.iter().copied(), steps)
 }
 
-/// The columns of pairs of points, or of a point and a force.
-fn pairs(values: &[[[f64; 2]; 2]], frames: &[usize]) -> String {
-    let column = |(part, k): (usize, usize)| at_frames(values, frames, |pair| pair[part][k]);
+/// The columns of points and of what is there: other points, or forces.
+fn pairs(values: &[[[f64; 2]; 2]], frames: &[usize], steps: [f64; 2]) -> String {
+    let column = |(part, k): (usize, usize)| at_frames(values, frames, steps[part], |pair| pair[part][k]);
     list([(0, 0), (0, 1), (1, 0), (1, 1)].map(column))
 }
 
@@ -165,9 +167,9 @@ fn body(body: &MovingBody, frames: &[usize]) -> String {
         ("name", label(&body.name)),
         ("trail", body.trail.to_string()),
         ("outlines", list(body.outlines.iter().map(outline))),
-        ("x", at_frames(&body.poses, frames, |pose| pose.x)),
-        ("y", at_frames(&body.poses, frames, |pose| pose.y)),
-        ("angle", at_frames(&body.poses, frames, |pose| pose.angle)),
+        ("x", at_frames(&body.poses, frames, STEPS, |pose| pose.x)),
+        ("y", at_frames(&body.poses, frames, STEPS, |pose| pose.y)),
+        ("angle", at_frames(&body.poses, frames, STEPS, |pose| pose.angle)),
     ])
 }
 
@@ -190,7 +192,11 @@ fn link(link: &MovingLink, frames: &[usize]) -> String {
         LinkKind::Spring => "spring",
         LinkKind::Damper => "damper",
     };
-    object([("name", label(&link.name)), ("kind", string(kind)), ("ends", pairs(&link.ends, frames))])
+    object([
+        ("name", label(&link.name)),
+        ("kind", string(kind)),
+        ("ends", pairs(&link.ends, frames, [STEPS; 2])),
+    ])
 }
 
 fn force(force: &MovingForce, frames: &[usize]) -> String {
@@ -200,7 +206,7 @@ fn force(force: &MovingForce, frames: &[usize]) -> String {
         ("dashes", string(style.dashes)),
         ("thickness", number(style.thickness)),
         ("symbol", label(&force.symbol)),
-        ("samples", pairs(&force.samples, frames)),
+        ("samples", pairs(&force.samples, frames, [STEPS, ARROW_STEPS])),
     ])
 }
 
