@@ -76,30 +76,52 @@ impl Settling<'_> {
         self.stop(&rubbed, jump)
     }
 
-    /// What was made to stand with impacts that were ended at once and does not last is to stand when they have ended. Until then what slides has
-    /// no friction, without which it may fall: it rises now with what that friction would do to it. Else it would strike then, and impacts
-    /// be ended at once again, and so on.
-    pub(super) fn rise_meanwhile(&mut self, lasting: &Lasting, jump: &mut Jump<Mode>) -> Result<(), Reason> {
+    /// What opens or slides from now on may turn back until impacts have ended that were ended at once, since what slides has no friction until
+    /// then: a gap would close and be struck, a slip would stop, impacts be ended at once again, and so on. It moves now as that friction
+    /// would make it move.
+    pub(super) fn move_ahead(&mut self, lasting: &Lasting, jump: &mut Jump<Mode>) -> Result<(), Reason> {
         let (Some(time), Some(rubbing)) = (self.resolved(self.bounced), &lasting.rubbing) else {
             return Ok(());
         };
         let mut kept = lasting.held();
         let Some(rubbed) = self.rubbed(rubbing, &kept, time) else { return Ok(()) };
-        let rise = &self.touch.response * rubbed;
-        let lasts = |position: &usize| lasting.modes.iter().any(|(known, _)| known == position);
-        let rises = |position: &usize| {
-            self.stands(*position) && !lasts(position) && rise[*position] > self.no_rate(*position)
+        let (mut rates, gained, then) = (self.rates(), &self.touch.response * rubbed, &rubbing.found.then);
+        let turns_back = |(row, sign, none): (usize, f64, f64)| {
+            let at_its_end = rates[row] + then[row] * time - gained[row];
+            (sign * gained[row] > none && sign * at_its_end < 0.0).then_some(row)
         };
-        let open: Vec<usize> = self.part.iter().copied().filter(rises).collect();
-        if open.is_empty() {
+        let moving: Vec<usize> =
+            self.opening_now(lasting).chain(self.sliding_now(rubbing)).filter_map(turns_back).collect();
+        if moving.is_empty() {
             return Ok(());
         }
-        let mut rates = self.rates();
-        open.iter().for_each(|position| rates[*position] -= rise[*position]);
-        kept.extend(open);
-        // What depends on others is left to strike.
-        let Some(risen) = standing(&self.touch.response, &rates, &kept) else { return Ok(()) };
-        self.stop(&risen, jump)
+        moving.iter().for_each(|row| rates[*row] -= gained[*row]);
+        kept.extend(moving);
+        // What depends on others is left to turn back.
+        let Some(ahead) = standing(&self.touch.response, &rates, &kept) else { return Ok(()) };
+        self.stop(&ahead, jump)
+    }
+
+    /// Rows of the gaps that open from now on, with the sign of their rates and a rate that is none.
+    fn opening_now(&self, lasting: &Lasting) -> impl Iterator<Item = (usize, f64, f64)> {
+        let lasts = |position: usize| lasting.modes.iter().any(|(known, _)| *known == position);
+        let opens = move |position: &usize| !lasts(*position) && self.then[*position] > self.zero();
+        let open = self.part.iter().copied().filter(opens);
+        open.map(|position| (position, 1.0, self.no_rate(position)))
+    }
+
+    /// The same of slips.
+    fn sliding_now(
+        &self,
+        Rubbing { patches, found, .. }: &Rubbing,
+    ) -> impl Iterator<Item = (usize, f64, f64)> {
+        patches.iter().zip(&found.grips).filter_map(|(patch, grip)| match grip {
+            Grip::Slides(way) => {
+                let slip = patch.row() - self.touch.pairs.len();
+                Some((patch.row(), f64::from(way.sign()), self.still(slip)))
+            }
+            _ => None,
+        })
     }
 
     /// What friction of what slides does in a time, N s, with what keeps standing what stands.

@@ -42,7 +42,7 @@ impl Settling<'_> {
             falling.retain(|position| held.insert(*position));
             if zeno.is_some() || self.is_ended {
                 self.stop_with(&lasting, touched, jump)?;
-                self.rise_meanwhile(&lasting, jump)?;
+                self.move_ahead(&lasting, jump)?;
             }
             let is_struck = falling.is_empty() && self.impacts(touched, jump)?;
             if falling.is_empty() && !is_struck {
