@@ -260,7 +260,7 @@ mod tests {
 
     #[test]
     fn poses_that_lack_at_the_end_stay() {
-        let shown = at_frames(&[1.0, 2.0], &[0, 1, 2], |v| *v);
+        let shown = at_frames(&[1.0, 2.0], &[0, 1, 2], STEPS, |v| *v);
         assert!(shown.ends_with("[0,10000,0]]"), "{shown}");
     }
 }
