@@ -60,11 +60,17 @@ impl Amplifier<'_> {
         sizes.solve(errors.to_vec()).into_iter().map(|size| ROUNDED * size).collect()
     }
 
+    /// The columns of the inverse, each times its number.
+    pub(crate) fn columns(&self, by: &[f64]) -> impl Iterator<Item = Vec<f64>> {
+        (0..by.len()).map(|column| {
+            let own = |row: usize| if row == column { by[row] } else { 0.0 };
+            self.solve((0..by.len()).map(own).collect())
+        })
+    }
+
     fn exact(&self, errors: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; errors.len()];
-        for column in 0..errors.len() {
-            let own = |row: usize| if row == column { errors[row] } else { 0.0 };
-            let x = self.solve((0..errors.len()).map(own).collect());
+        for x in self.columns(errors) {
             sums.iter_mut().zip(x).for_each(|(sum, x)| *sum += x.abs());
         }
         sums

@@ -182,9 +182,8 @@ impl Along<'_> {
         let (_, factors) = self.factored(0.0)?;
         let start = Amplifier { plan: &self.matrix.plan, factors: &factors };
         let mut first = vec![0.0; n * n];
-        for column in 0..n {
-            let unit = (0..n).map(|row| if row == column { 1.0 } else { 0.0 }).collect();
-            start.solve(unit).into_iter().enumerate().for_each(|(row, c)| first[row * n + column] = c);
+        for (column, own) in start.columns(&vec![1.0; n]).enumerate() {
+            own.into_iter().enumerate().for_each(|(row, c)| first[row * n + column] = c);
         }
         let mut rests = vec![0.0; n * n];
         let mut matrix = vec![vec![0.0; n * n]; self.orders];

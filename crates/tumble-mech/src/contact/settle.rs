@@ -155,6 +155,10 @@ fn is_unresolved(
 }
 
 impl Lasting {
+    fn has(&self, position: usize) -> bool {
+        self.modes.iter().any(|(known, _)| *known == position)
+    }
+
     /// Rows that are kept where they are.
     fn held(&self) -> Vec<usize> {
         if let Some(Rubbing { found, .. }) = &self.rubbing {

@@ -162,8 +162,7 @@ fn parameters(study: &Study, names: &Names) -> Result<Vec<QuantityRow>, CaseErro
 
 /// The values that a swept parameter takes, as legends call them, with their numbers; of many, the first, the last and how many.
 fn swept(study: &Study, parameter: &Symbol) -> Option<Text> {
-    let is_own = |axis: &&SweepAxis| axis.of == Swept::Parameter(parameter.name.to_string());
-    let values = &study.sweep.iter().find(is_own)?.values;
+    let values = &axis_of(study, parameter)?.values;
     let label = |index: usize| -> Text {
         let value = values.at(index);
         match value.label.split_once(" = ") {
@@ -186,11 +185,16 @@ fn swept(study: &Study, parameter: &Symbol) -> Option<Text> {
     all.into_iter().reduce(|all, next| all.and(", ").and(next))
 }
 
+fn axis_of<'a>(study: &'a Study, parameter: &Symbol) -> Option<&'a SweepAxis> {
+    let own = Swept::Parameter(parameter.name.to_string());
+    study.sweep.iter().find(|axis| axis.of == own)
+}
+
 /// Parameters that are swept, or computed from such, which come before them.
 fn varying(study: &Study) -> HashSet<&Symbol> {
     let mut found = HashSet::new();
     for (symbol, formula) in study.model.parameters.formulas() {
-        let is_swept = study.sweep.iter().any(|axis| axis.of == Swept::Parameter(symbol.name.to_string()));
+        let is_swept = axis_of(study, symbol).is_some();
         if is_swept || formula.symbols().iter().any(|part| found.contains(part)) {
             found.insert(symbol);
         }

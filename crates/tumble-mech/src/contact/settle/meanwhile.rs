@@ -104,8 +104,7 @@ impl Settling<'_> {
 
     /// Rows of the gaps that open from now on, with the sign of their rates and a rate that is none.
     fn opening_now(&self, lasting: &Lasting) -> impl Iterator<Item = (usize, f64, f64)> {
-        let lasts = |position: usize| lasting.modes.iter().any(|(known, _)| *known == position);
-        let opens = move |position: &usize| !lasts(*position) && self.then[*position] > self.zero();
+        let opens = |position: &usize| !lasting.has(*position) && self.then[*position] > self.zero();
         let open = self.part.iter().copied().filter(opens);
         open.map(|position| (position, 1.0, self.no_rate(position)))
     }

@@ -98,12 +98,11 @@ impl Settling<'_> {
     /// Contacts that are not held and close at once: they stand, or open for less than the shortest step.
     fn falling_back(&self, lasting: &Lasting, touched: &Touched) -> Vec<usize> {
         let rate = &self.touch.rate;
-        let is_held = |position: usize| lasting.modes.iter().any(|(known, _)| *known == position);
         let falls_back = |position: &usize| {
             let (position, then) = (*position, self.then[*position]);
             let is_short = rate[position] > 0.0 && flight(0.0, rate[position], then) <= self.shortest();
             let falls = then < -self.zero() && (self.stands(position) || is_short);
-            falls && !is_held(position) && self.may_touch(position, touched)
+            falls && !lasting.has(position) && self.may_touch(position, touched)
         };
         (0..rate.len()).filter(falls_back).collect()
     }
