@@ -31,14 +31,32 @@ export async function launched(program) {
   return { name: isFirefox ? "Firefox" : "Chromium", browser, requests: [] };
 }
 
+/** How many children elements of formulas have. */
+const CHILDREN = { mfrac: 2, mroot: 2, msub: 2, msup: 2, munder: 2, mover: 2, msubsup: 3, munderover: 3 };
+
+/** What Firefox says of a formula that it lays out while the page is still being read. */
+const HALF_READ = /^Incorrect number of children for <\w+\/> tag/;
+
 /** A page from a file; what it throws and asks of a network is noted. */
 export async function opened({ name, browser, requests }, file, hash = "") {
   const page = await browser.newPage();
+  let loaded = false;
   page.on("request", (request) => LOCAL.test(request.url()) || requests.push(request.url()));
-  page.on("pageerror", (error) => check(`${name}, ${file}: nothing is thrown`, false, error.message));
+  page.on("pageerror", ({ message }) => {
+    if (loaded || !HALF_READ.test(message)) check(`${name}, ${file}: nothing is thrown`, false, message);
+  });
   await page.goto(pathToFileURL(file).href + hash);
+  const wrong = await page.evaluate(malformed, CHILDREN);
+  loaded = true;
+  check(`${name}, ${file}: formulas are well formed`, !wrong.length, wrong.join("\n"));
   return page;
 }
+
+/** Elements of formulas that have more or fewer children than they need. */
+const malformed = (children) =>
+  Object.entries(children).flatMap(([tag, many]) =>
+    [...document.querySelectorAll(tag)].filter((found) => found.childElementCount !== many).map((found) => found.outerHTML),
+  );
 
 /** The reports of a gallery, by the names of their scenes. */
 export const report = (gallery, name) => join(gallery, name, "report.html");
