@@ -339,7 +339,7 @@ impl Engine {
     }
 
     /// Refuses a step at the end of which a guard is beyond zero that the flow holds on one side of only, and that has not ended it: one that has is
-    /// zero there by its value, and by its series but for what the accuracy leaves out of that.
+    /// zero there by its value, and by its series but for what the accuracy leaves out of that. What a jump has put beyond zero may be on its way back.
     pub(crate) fn refuse_beyond(
         &self,
         expansion: &Expansion,
@@ -351,8 +351,10 @@ impl Engine {
             if hits.contains(&Hit::Guard(guard)) {
                 continue;
             }
-            let end = value(series, length);
-            if self.system.guard_directions[guard].allows(end) && end.abs() > KEPT * scales.of(group) {
+            let (start, end) = (series[0], value(series, length));
+            let direction = self.system.guard_directions[guard];
+            let comes_back = direction.allows(start) && end.abs() <= start.abs();
+            if direction.allows(end) && end.abs() > KEPT * scales.of(group) && !comes_back {
                 return Err(Reason::Beyond { guard: self.system.guard_names[guard].clone() });
             }
         }

@@ -286,6 +286,26 @@ fn a_guard_that_is_kept_crosses_again_where_its_jump_left_it_away_from_zero() {
     assert!(times.len() == 2 && times[1] - times[0] < 1e-14, "{times:?}");
 }
 
+/// What happens before it is back does not make it a motion that its equations do not hold for.
+#[test]
+fn what_a_jump_puts_beyond_a_guard_that_is_kept_may_come_back() {
+    let at = |name: &str, instant: f64| guard(name, Expr::from(instant) - leaf("t"));
+    let turn = Guard { at_zero: AtZero::Keeps { group: 0 }, ..guard("turn", leaf("v")) };
+    let toy = Toy {
+        rates: vec![("v", Expr::one())],
+        guards: vec![turn, at("put", 0.5), at("before it is back", 0.505)],
+        lazy_guards: vec![],
+        invariants: vec![],
+        jump: |at| {
+            let v = if *at.mode == 0 { -0.01 } else { at.states[0] };
+            Jump { zeros: vec![("turn".into(), 1)], ..Jump::to(at.mode + 1, vec![v]) }
+        },
+    };
+    let motion = run(&toy, &[1.0], 1.0);
+    assert_eq!(times(&motion), [0.5, 0.505]);
+    assert!((motion.last_states().expect("ran")[0] - 0.485).abs() < 1e-14);
+}
+
 /// A force of -1e-60 moves nothing within any step, and no range of it, which has twins cancel, knows its sign: steps need not be
 /// shorter for that. What moves something is still located.
 #[test]

@@ -52,6 +52,11 @@ impl<'a> Settling<'a> {
         let stays: Vec<usize> = lifted.into_iter().filter(|position| !goes(position)).collect();
         self.staying = following(self.touch.pushes(), bearing.iter().copied(), &stays);
         self.opening = opening;
+        // What was found to close, and of which nothing more is seen, does not open: else it would close again at once.
+        let closes = |position: &usize| touched.closed.contains(&self.touch.pairs[*position]);
+        bearing.extend(
+            stays.into_iter().filter(|position| closes(position) && !self.staying.contains(position)),
+        );
         bearing.extend(closing);
         bearing.sort_unstable();
         bearing
