@@ -3,7 +3,7 @@
 use crate::font::Face;
 use crate::rect::Rect;
 use crate::scale::{Range, Scale};
-use crate::svg::{Element, line};
+use crate::svg::{Element, PathData};
 use crate::text::{Label, PlacedText, TextAnchor, middle_baseline};
 use crate::theme::{GAP, HAIRLINE, INK, LEADING, MARGIN, NORMAL, SMALL};
 use crate::ticks::Ticks;
@@ -135,26 +135,31 @@ impl Axes {
     /// Frame, ticks and labels.
     pub fn draw(&self) -> Element {
         let strokes = Element::new("g").stroked(INK, HAIRLINE).attr("fill", "none");
-        let strokes = strokes.child(self.area.element("rect")).children(self.tick_lines());
+        let ticks = self.tick_lines().fill("none");
+        let strokes = strokes.child(self.area.element("rect")).child(ticks);
         Element::new("g").child(strokes).children(self.tick_labels()).children(self.title_texts())
     }
 
-    fn tick_lines(&self) -> impl Iterator<Item = Element> {
+    /// All ticks as one path: there are many.
+    fn tick_lines(&self) -> PathData {
         let lengths = |ticks: &Ticks| {
             let major = ticks.major.iter().map(|tick| (tick.value, MAJOR_TICK));
             major.chain(ticks.minor.iter().map(|value| (*value, MINOR_TICK))).collect::<Vec<_>>()
         };
         let Rect { x: left, y: top, .. } = self.area;
         let (right, bottom) = (self.area.right(), self.area.bottom());
-        let vertical = lengths(&self.ticks[0]).into_iter().flat_map(move |(value, length)| {
+        let mut path = PathData::default();
+        for (value, length) in lengths(&self.ticks[0]) {
             let x = self.x.pixel(value);
-            [line([x, bottom], [x, bottom - length]), line([x, top], [x, top + length])]
-        });
-        let horizontal = lengths(&self.ticks[1]).into_iter().flat_map(move |(value, length)| {
+            path.add_polyline(&[[x, bottom], [x, bottom - length]]);
+            path.add_polyline(&[[x, top], [x, top + length]]);
+        }
+        for (value, length) in lengths(&self.ticks[1]) {
             let y = self.y.pixel(value);
-            [line([left, y], [left + length, y]), line([right, y], [right - length, y])]
-        });
-        vertical.chain(horizontal)
+            path.add_polyline(&[[left, y], [left + length, y]]);
+            path.add_polyline(&[[right, y], [right - length, y]]);
+        }
+        path
     }
 
     fn tick_labels(&self) -> impl Iterator<Item = Element> {

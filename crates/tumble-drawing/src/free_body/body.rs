@@ -5,6 +5,7 @@ use crate::scale::drawable;
 use crate::text::Label;
 
 use super::arrow::{Arrow, ArrowUnit, Couple, DistributedForce, Velocity};
+use super::cone::FrictionCone;
 use super::side::SideView;
 use super::surface::Ground;
 
@@ -57,6 +58,8 @@ pub struct FreeBodyDiagram {
     pub unit: ArrowUnit,
     /// Forces with their points of action.
     pub forces: Vec<Arrow>,
+    /// Cones of friction at contacts; their normal forces and frictions are among the forces.
+    pub cones: Vec<FrictionCone>,
     /// Couples.
     pub couples: Vec<Couple>,
     /// The sum of the forces or M A, if it is to be shown. It is no force of its own.
@@ -142,6 +145,7 @@ impl FreeBodyDiagram {
         body.outlines.retain(|outline| outline.extent(&pose).iter().all(shown));
         body.surfaces.retain(Ground::is_drawable);
         body.forces.retain(|force| force.is_drawable() && force.magnitude() > 0.0);
+        body.cones.retain(FrictionCone::is_drawable);
         body.couples.retain(|couple| drawable(couple.value) && couple.value != 0.0);
         body.resultant = body.resultant.filter(|sum| sum.is_drawable() && sum.magnitude() > 0.0);
         body.angle = body.angle.filter(AngleMark::is_drawable);

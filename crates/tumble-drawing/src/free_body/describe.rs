@@ -4,12 +4,14 @@ use crate::text::Label;
 
 use super::arrow::{Arrow, Couple};
 use super::body::FreeBodyDiagram;
+use super::cone::FrictionCone;
 use super::strokes::DIGITS;
 
 /// Everything that acts in a panel: each force with its components and point of action.
 pub(super) fn describe(body: &FreeBodyDiagram) -> String {
     let drawn = body.drawable();
     let mut parts: Vec<String> = drawn.forces.iter().map(|force| force_words(force, body)).collect();
+    parts.extend(drawn.cones.iter().map(cone_words));
     parts.extend(drawn.couples.iter().map(|couple| couple_words(couple, body)));
     parts.extend(drawn.resultant.iter().map(|sum| force_words(sum, body)));
     let side = body.side.as_ref().map(|side| side.as_body(&body.unit));
@@ -53,6 +55,12 @@ fn force_words(force: &Arrow, body: &FreeBodyDiagram) -> String {
         plain(force.point[0]),
         plain(force.point[1]),
     )
+}
+
+fn cone_words(cone: &FrictionCone) -> String {
+    let half = plain(cone.coefficient.atan().to_degrees());
+    let [x, y] = cone.point.map(plain);
+    format!("cone of friction at ({x}, {y}) m, {half}° to both sides of the normal force")
 }
 
 fn couple_words(couple: &Couple, body: &FreeBodyDiagram) -> String {

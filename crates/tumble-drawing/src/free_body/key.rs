@@ -7,12 +7,15 @@ use crate::text::{Label, PlacedText, TextAnchor, middle_baseline};
 use crate::theme::{GAP, LEADING, SMALL};
 
 use super::arrow::ArrowKind;
+use super::cone::Cone;
 use super::draw;
 use super::strokes::{Form, Stroke};
 
 /// Length of sample arrows and the greatest length of bars, in pixels.
 const SAMPLE: f64 = 38.0;
 const LONGEST_BAR: f64 = 90.0;
+/// Width and height of a sample of a cone.
+const CONE_SAMPLE: [f64; 2] = [18.0, 16.0];
 /// Distance between entries of a row, and height of a row.
 const ENTRY_GAP: f64 = 26.0;
 const ROW: f64 = 1.5 * SMALL;
@@ -22,6 +25,8 @@ const ROW: f64 = 1.5 * SMALL;
 pub(super) enum Entry {
     /// A kind of force with a sample of its arrow.
     ArrowKind(ArrowKind),
+    /// A cone of friction.
+    Cone,
     /// A scale bar.
     Bar(Bar),
 }
@@ -36,6 +41,7 @@ impl Entry {
     fn sample(&self) -> f64 {
         match self {
             Entry::ArrowKind(_) => SAMPLE,
+            Entry::Cone => CONE_SAMPLE[0],
             Entry::Bar(bar) => bar.length,
         }
     }
@@ -43,6 +49,7 @@ impl Entry {
     fn label(&self) -> Label {
         match self {
             Entry::ArrowKind(kind) => Label::plain(kind.name()),
+            Entry::Cone => Label::plain("cone of friction"),
             Entry::Bar(bar) => bar.label.clone(),
         }
     }
@@ -55,6 +62,10 @@ impl Entry {
     fn draw(&self, [x, y]: [f64; 2]) -> Element {
         let sample = match self {
             Entry::ArrowKind(kind) => sample_arrow(*kind, [x, y]),
+            Entry::Cone => {
+                let [width, height] = CONE_SAMPLE;
+                Cone::sample([x + 0.5 * width, y + 0.5 * height], width, height).draw()
+            }
             Entry::Bar(bar) => bar.draw([x, y]),
         };
         let at = [x + self.sample() + GAP, middle_baseline(y, SMALL)];

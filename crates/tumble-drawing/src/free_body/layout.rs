@@ -6,6 +6,7 @@ use crate::rect::Rect;
 
 use super::body::FreeBodyDiagram;
 use super::circular_arrow::rings;
+use super::cone::Cone;
 use super::strokes::{spreads, strokes};
 use crate::geometry::{Point, along, direction};
 
@@ -86,11 +87,17 @@ pub(crate) fn bounds(body: &FreeBodyDiagram, view: &View, scales: &Scales) -> Re
     let mut points: Vec<_> = body_points(body).into_iter().map(|p| view.pixel(p)).collect();
     let strokes = strokes(body, view, scales);
     points.extend(strokes.iter().flat_map(|stroke| [stroke.tail, stroke.head]));
+    points.extend(cones(body, view, scales).iter().flat_map(Cone::lines).flatten());
     points.extend(spreads(body, view).into_iter().flat_map(|(_, arrows)| arrows).flatten());
     points.extend(rings(body, view, &strokes).iter().flat_map(|ring| ring.points()));
     points.extend(angle_arms(body, view).into_iter().flatten());
     points.extend(near_surfaces(body, view));
     Rect::around(points).unwrap_or(Rect::centred(view.at, 0.0, 0.0))
+}
+
+/// The cones of friction of a panel.
+pub(super) fn cones(body: &FreeBodyDiagram, view: &View, scales: &Scales) -> Vec<Cone> {
+    body.cones.iter().filter_map(|cone| cone.place(view, scales)).collect()
 }
 
 /// Pixels below the body where near surfaces end.

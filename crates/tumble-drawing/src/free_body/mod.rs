@@ -24,6 +24,7 @@
 mod arrow;
 mod body;
 pub(crate) mod circular_arrow;
+mod cone;
 mod describe;
 pub(crate) mod draw;
 mod fit;
@@ -42,6 +43,7 @@ mod tests;
 
 pub use arrow::{Arrow, ArrowKind, ArrowUnit, Couple, DistributedForce, Velocity};
 pub use body::{AngleMark, FreeBodyDiagram, NamedPoint};
+pub use cone::FrictionCone;
 pub use sheet::FreeBodySheet;
 pub use side::SideView;
 pub use surface::{Ground, GroundCircle};

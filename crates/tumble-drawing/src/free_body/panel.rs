@@ -10,9 +10,10 @@ use crate::theme::{BODY, GREY, HAIRLINE, INK, LEADING, SMALL};
 
 use super::body::FreeBodyDiagram;
 use super::circular_arrow::{CircularArrow, rings};
+use super::cone::Cone;
 use super::draw;
 use super::fit::{Room, fit, scales};
-use super::layout::{Scales, View, about_centre, angle_arms};
+use super::layout::{Scales, View, about_centre, angle_arms, cones};
 use super::strokes::{Stroke, arms, spreads, strokes};
 use super::tags::Shown;
 use crate::geometry::{Point, length, minus};
@@ -119,6 +120,7 @@ pub(super) struct Drawing {
     pub(super) area: Rect,
     pub(super) view: View,
     pub(super) strokes: Vec<Stroke>,
+    pub(super) cones: Vec<Cone>,
     pub(super) rings: Vec<CircularArrow>,
     pub(super) angle_arc: Option<Vec<Point>>,
     pub(super) labels: Vec<Placed>,
@@ -129,10 +131,12 @@ impl Drawing {
         let view = View { centre: body.pose.centre(), at, density: scales.density };
         let strokes = strokes(body, &view, scales);
         let rings = rings(body, &view, &strokes);
-        let shown = Shown { body, view: &view, area: &area, strokes: &strokes, rings: &rings, size };
+        let cones = cones(body, &view, scales);
+        let shown =
+            Shown { body, view: &view, area: &area, strokes: &strokes, cones: &cones, rings: &rings, size };
         let labels = placed(&shown.tags(), &shown.occupancy(), &area);
         let angle_arc = shown.angle_arc();
-        Self { body: body.clone(), area, view, strokes, rings, angle_arc, labels }
+        Self { body: body.clone(), area, view, strokes, cones, rings, angle_arc, labels }
     }
 
     /// A drawing with scales of its own, in the middle of `area`.
@@ -151,6 +155,7 @@ impl Drawing {
         let outlines = self.body.outlines.iter().flat_map(|shape| shape.draw(&self.body.pose, view, pen));
         let arms = angle_arms(&self.body, view).into_iter().map(|arm| draw::dashed(&arm));
         let group = Element::new("g").children(surfaces).children(arms).children(outlines);
+        let group = group.children(self.cones.iter().map(Cone::draw));
         group.children(self.draw_arc()).children(self.draw_arrows()).children(draw_placed(&self.labels))
     }
 

@@ -154,11 +154,28 @@ impl<'a> Layout<'a> {
         let kinds = self.kinds();
         let wanted = kinds.len() >= KINDS;
         let kinds = kinds.into_iter().filter(|_| wanted).map(Entry::ArrowKind).collect();
-        vec![kinds, self.bars()]
+        let cones = self.has_cones().then_some(Entry::Cone).into_iter().collect();
+        vec![kinds, cones, self.bars()]
     }
 
     fn drawings(&self) -> impl Iterator<Item = &Drawing> {
         self.panels.iter().flat_map(|panel| std::iter::once(&panel.main).chain(&panel.side))
+    }
+
+    /// What lies within cones of friction.
+    fn in_cones(&self) -> &'static str {
+        let with_cones = self.drawings().filter(|drawing| !drawing.cones.is_empty());
+        let are_impulses: Vec<bool> =
+            with_cones.map(|drawing| drawing.body.unit == ArrowUnit::impulse()).collect();
+        match (are_impulses.contains(&false), are_impulses.contains(&true)) {
+            (false, true) => "the impulses of normal force and friction",
+            (true, true) => "normal force and friction, or of their impulses,",
+            _ => "normal force and friction",
+        }
+    }
+
+    fn has_cones(&self) -> bool {
+        self.drawings().any(|drawing| !drawing.cones.is_empty())
     }
 
     fn kinds(&self) -> BTreeSet<ArrowKind> {
@@ -195,6 +212,12 @@ impl<'a> Layout<'a> {
         let mut captions = self.sheet.captions.clone();
         if self.drawings().any(|drawing| drawing.strokes.iter().any(|stroke| stroke.broken)) {
             captions.push(Label::plain("An arrow with a break (//) is drawn longer than its scale."));
+        }
+        if self.has_cones() {
+            captions.push(Label::plain(&format!(
+                "The sum of {} (dashed) lies within the cone of friction, and on its edge where the contact slides.",
+                self.in_cones()
+            )));
         }
         if self.drawings().any(|drawing| !drawing.rings.is_empty()) {
             captions.push(Label::plain("Circular arrows are not to scale."));

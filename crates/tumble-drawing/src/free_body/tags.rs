@@ -8,6 +8,7 @@ use crate::theme::{INK, Rgb};
 
 use super::body::FreeBodyDiagram;
 use super::circular_arrow::{CircularArrow, ring_labels};
+use super::cone::Cone;
 use super::draw::{CENTRE_RADIUS, HEAD_WIDTH};
 use super::layout::{ARC_RADIUS, View, angle_arms, angle_vertex, faces};
 use super::strokes::{Stroke, arms, equation, spreads, stroke_labels};
@@ -27,6 +28,7 @@ pub(super) struct Shown<'a> {
     pub(super) view: &'a View,
     pub(super) area: &'a Rect,
     pub(super) strokes: &'a [Stroke],
+    pub(super) cones: &'a [Cone],
     pub(super) rings: &'a [CircularArrow],
     /// Size of the labels in pixels.
     pub(super) size: f64,
@@ -130,6 +132,8 @@ impl Shown<'_> {
             drawn.add_line(arrows.iter().map(|[_, head]| *head).collect());
             arrows.into_iter().for_each(|arrow| drawn.add_line(arrow.to_vec()));
         }
+        let cones = self.cones.iter().flat_map(Cone::lines);
+        cones.for_each(|line| drawn.add_line(line.to_vec()));
         for ring in self.rings {
             drawn.add_bent_arrow(ring.points());
         }

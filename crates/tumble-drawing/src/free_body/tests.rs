@@ -120,6 +120,27 @@ fn side_views_are_laid_out_like_panels() {
     assert!(svg.description.contains("out of the plane, contact force N = 4.2 N"), "{}", svg.description);
 }
 
+/// Whether its sheet says that impulses lie in cones, and what it says of the cone to those who do not see it.
+fn cone_of(body: FreeBodyDiagram) -> (bool, String) {
+    let normal = force(ArrowKind::Contact, "N", [0.0; 2], [0.0, 4.0]);
+    let cone =
+        FrictionCone { point: [0.0; 2], normal: normal.vector, friction: [1.0, 0.0], coefficient: 1.0 };
+    let none = FrictionCone { coefficient: 0.0, ..cone.clone() };
+    let svg = sheet_of(FreeBodyDiagram { cones: vec![cone, none], ..body.force(normal) }).svg();
+    let text = svg.to_string();
+    assert_eq!(text.matches("class=\"cone\"").count(), 2, "one, and one in the key");
+    (text.contains("impulses of normal force"), svg.description)
+}
+
+#[test]
+fn cones_of_friction_are_drawn_and_told() {
+    let ball = Outline::Circle { centre: [0.0, 0.2], radius: 0.2, is_hollow: false };
+    let body = FreeBodyDiagram::new(Label::plain("ball"), Pose::default(), vec![ball]);
+    let (are_impulses, told) = cone_of(body.clone());
+    assert!(!are_impulses && told.contains("cone of friction at (0, 0) m, 45° to both sides"), "{told}");
+    assert!(cone_of(body.impulses()).0);
+}
+
 #[test]
 fn arrows_start_at_their_points_and_compare_between_panels() {
     let sheet = five();

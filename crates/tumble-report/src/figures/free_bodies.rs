@@ -9,7 +9,9 @@ use tumble_mech::{Body, Force, Forces, Gravity, Impulse, Law, Rule, Run, Shape, 
 use tumble_ode::Side;
 use tumble_scene::{FreeBody, Study};
 
-use crate::figures::{air, case_label, heading, joined as with_label, outlines, poses, surfaces, symbols};
+use crate::figures::{
+    air, case_label, cones, heading, joined as with_label, outlines, poses, surfaces, symbols,
+};
 use crate::results::moments::Moments;
 use crate::results::{Case, CaseError};
 
@@ -77,9 +79,10 @@ impl Drawing<'_> {
             FreeBodyDiagram::new(Label::plain(&symbols::bare(&body.name)), pose, outlines(self.study, body)?)
                 .heading(Label::markup(label))
                 .heading(Label::equation("t", &shown(time), "s"));
-        let mut panel = match self.impulses(time).next() {
-            None => self.moving(self.with_forces(panel, time)?, time)?,
-            Some(_) => self.impulses(time).fold(panel.impulses(), |panel, one| self.with_impulse(panel, one)),
+        let impulses: Vec<&Impulse> = self.impulses(time).collect();
+        let mut panel = match impulses.is_empty() {
+            true => self.moving(self.with_forces(panel, time)?, time)?,
+            false => self.with_impulses(panel, &impulses, time)?,
         };
         for surface in self.surfaces(body, pose, time)? {
             panel = panel.surface(surface);
@@ -90,6 +93,17 @@ impl Drawing<'_> {
             panel = panel.angle(AngleMark { reference, ..AngleMark::horizontal(symbol, angle) });
         }
         Ok(panel)
+    }
+
+    fn with_impulses(
+        &self,
+        panel: FreeBodyDiagram,
+        all: &[&Impulse],
+        time: f64,
+    ) -> Result<FreeBodyDiagram, CaseError> {
+        let cones = cones::of_impulses(self.run, &panel, all, time)?;
+        let panel = all.iter().fold(panel.impulses(), |panel, one| self.with_impulse(panel, one));
+        Ok(FreeBodyDiagram { cones, ..panel })
     }
 
     fn with_impulse(&self, mut panel: FreeBodyDiagram, impulse: &Impulse) -> FreeBodyDiagram {
@@ -189,6 +203,7 @@ impl Drawing<'_> {
                 panel = panel.force(Arrow::new(kind(Law::Contact), symbol, centre, [0.0; 2]));
             }
         }
+        panel.cones = cones::of_forces(self.run, &panel, &own, time)?;
         panel.side = self.side_view(&own)?;
         Ok(panel)
     }

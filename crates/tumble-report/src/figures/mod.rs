@@ -3,6 +3,7 @@
 pub(crate) mod air;
 mod bands;
 pub(crate) mod captions;
+mod cones;
 pub(crate) mod energies;
 pub(crate) mod finds;
 pub(crate) mod free_bodies;

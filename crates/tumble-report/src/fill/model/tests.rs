@@ -134,6 +134,21 @@ fn a_force_that_is_open_and_given_nothing_is_in_the_picture() {
     assert_eq!(shown("17-block", 1, 'f'), ["f_corner1", "f_corner2"]);
 }
 
+/// The kinetic coefficient where it slides, the static one where it sticks, and of smooth surfaces none.
+#[test]
+fn cones_of_friction_are_as_wide_as_the_coefficient_that_counts() {
+    let widths = |name: &str, run: usize, panel: usize| {
+        let (study, cases) = crate::scenes::motions_called(name);
+        let sheet = free_bodies::sheet(&study, &cases[run], &study.free_bodies[0]).expect("a sheet");
+        sheet.panels[panel].cones.iter().map(|cone| cone.coefficient).collect::<Vec<_>>()
+    };
+    assert_eq!(widths("17-block", 0, 0), [0.4, 0.4]);
+    assert_eq!(widths("17-block", 0, 1), [0.5, 0.5]);
+    assert_eq!(widths("03-bouncing-rod", 0, 1), [0.0; 0]);
+    // Impulses of an impact of two disks.
+    assert_eq!(widths("24-glancing", 0, 0), [0.1]);
+}
+
 #[test]
 fn a_pivot_with_a_torque_is_not_said_to_have_no_friction() {
     let said = |name: &str| {

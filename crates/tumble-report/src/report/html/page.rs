@@ -30,13 +30,13 @@ const SCRIPTS: [&str; 7] = [
     include_str!("../assets/page.js"),
 ];
 
-/// Scripts as one, without indents and the lines that are for those who read the sources: a page is mailed.
-pub(crate) fn joined(scripts: &[&str]) -> String {
+/// Scripts or styles as one, without indents and the lines that are for those who read the sources: a page is mailed.
+pub(crate) fn joined(sources: &[&str]) -> String {
     let is_remark = |line: &&str| {
-        line.is_empty() || line.starts_with("//") || (line.starts_with("/**") && line.ends_with("*/"))
+        line.is_empty() || line.starts_with("//") || (line.starts_with("/*") && line.ends_with("*/"))
     };
     let lines =
-        scripts.iter().flat_map(|script| script.lines()).map(str::trim).filter(|line| !is_remark(line));
+        sources.iter().flat_map(|source| source.lines()).map(str::trim).filter(|line| !is_remark(line));
     lines.flat_map(|line| [line, "\n"]).collect()
 }
 
@@ -66,7 +66,7 @@ pub(crate) fn page(report: &Report) -> String {
          <script type=\"application/json\" id=\"report-data\">{data}</script>\n<script>\n{}</script>\n{lab}",
         joined(&SCRIPTS)
     );
-    let style = format!("{STYLE}{looks}{}", tumble_notation::page_font());
+    let style = format!("{}{}", joined(&[STYLE, looks]), tumble_notation::page_font());
     document([&report.title, &report.language], "", &style, &body)
 }
 
