@@ -215,7 +215,7 @@ impl<'a> Layout<'a> {
         }
         if self.has_cones() {
             captions.push(Label::plain(&format!(
-                "The sum of {} (dashed) lies within the cone of friction, and on its edge where the contact slides.",
+                "The sum (dashed) of {} lies within the cone of friction, and on its edge where the contact slides.",
                 self.in_cones()
             )));
         }
