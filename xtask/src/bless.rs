@@ -49,7 +49,7 @@ const FIGURES: &[(&str, &str)] = &[
     ("26-ball-in-a-bowl/ball.svg", "ball-in-a-bowl.svg"),
     ("27-rocking-block/block.svg", "rocking-block.svg"),
     ("28-painleve-rod/force.svg", "painleve-rod.svg"),
-    ("29-dropped-rod/impact.run-003.svg", "dropped-rod.svg"),
+    ("29-dropped-rod/impact.run-002.svg", "dropped-rod.svg"),
 ];
 
 /// The steps for the parts named, or for all of them.
