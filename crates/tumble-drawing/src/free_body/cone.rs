@@ -1,6 +1,6 @@
 //! Cones of friction: the sum of normal force and friction lies within, on the edge where the contact slides.
 
-use crate::geometry::{Point, along, dot, plus, times, turned, unit};
+use crate::geometry::{Point, along, dot, length, plus, times, turned, unit};
 use crate::outline::Plane;
 use crate::scale::drawable;
 use crate::svg::{Element, PathData};
@@ -41,8 +41,8 @@ impl FrictionCone {
     /// The cone on the page, as high as the arrow of its normal force is long.
     pub(super) fn place(&self, view: &View, scales: &Scales) -> Option<Cone> {
         let [x, y] = unit(self.normal)?;
-        let normal = dot(self.normal, [x, y]);
-        let long = (normal / scales.largest * scales.arrow).max(LEAST_LENGTH);
+        let normal = length(self.normal);
+        let long = scales.length(normal).max(LEAST_LENGTH);
         let height = long.min(0.5 * WIDEST * long / self.coefficient);
         let (apex, up) = (view.pixel(self.point), [x, -y]);
         let side = turned(up);

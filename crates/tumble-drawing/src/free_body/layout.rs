@@ -57,6 +57,13 @@ pub(crate) struct Scales {
     pub(crate) fastest: f64,
 }
 
+impl Scales {
+    /// Length in pixels of an arrow that stands for so much. In this order the largest and smallest numbers neither overflow nor vanish.
+    pub(super) fn length(&self, magnitude: f64) -> f64 {
+        magnitude / self.largest * self.arrow
+    }
+}
+
 /// Length of the arms of a marked angle, and radius of its arc, in pixels.
 pub(crate) const ARM: f64 = 46.0;
 pub(crate) const ARC_RADIUS: f64 = 35.0;

@@ -100,8 +100,7 @@ pub(crate) fn strokes(body: &FreeBodyDiagram, view: &View, scales: &Scales) -> V
 
 fn stroke(force: &Arrow, view: &View, scales: &Scales) -> Option<Stroke> {
     let [x, y] = unit(force.vector)?;
-    // In this order the largest and smallest numbers neither overflow nor vanish.
-    let true_length = force.magnitude() / scales.largest * scales.arrow;
+    let true_length = scales.length(force.magnitude());
     let tail = view.pixel(force.point);
     let head = along(tail, [x, -y], true_length.max(LEAST_LENGTH));
     let form = if force.kind == ArrowKind::Resultant { Form::Hollow } else { Form::Full };

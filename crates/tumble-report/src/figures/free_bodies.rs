@@ -55,13 +55,15 @@ pub(crate) fn sheet(study: &Study, case: &Case, asked: &FreeBody) -> Result<Free
 fn without_rounding(sheet: &mut FreeBodySheet) {
     let sizes = sheet.panels.iter().flat_map(|panel| &panel.forces).map(|arrow| size(arrow.vector));
     let largest = sizes.fold(0.0, f64::max);
-    let forces = sheet.panels.iter_mut().flat_map(|panel| &mut panel.forces);
-    for arrow in forces.filter(|arrow| size(arrow.vector) < NOTHING * largest) {
-        arrow.vector = [0.0; 2];
+    for panel in &mut sheet.panels {
+        panel.cones.retain(|cone| size(cone.normal) >= NOTHING * largest);
+        for arrow in panel.forces.iter_mut().filter(|arrow| size(arrow.vector) < NOTHING * largest) {
+            arrow.vector = [0.0; 2];
+        }
     }
 }
 
-fn size([x, y]: [f64; 2]) -> f64 {
+pub(super) fn size([x, y]: [f64; 2]) -> f64 {
     (x * x + y * y).sqrt()
 }
 
@@ -101,7 +103,7 @@ impl Drawing<'_> {
         all: &[&Impulse],
         time: f64,
     ) -> Result<FreeBodyDiagram, CaseError> {
-        let cones = cones::of_impulses(self.run, &panel, all, time)?;
+        let cones = cones::of_impulses(self.run, panel.pose.centre(), all, time)?;
         let panel = all.iter().fold(panel.impulses(), |panel, one| self.with_impulse(panel, one));
         Ok(FreeBodyDiagram { cones, ..panel })
     }
@@ -203,7 +205,7 @@ impl Drawing<'_> {
                 panel = panel.force(Arrow::new(kind(Law::Contact), symbol, centre, [0.0; 2]));
             }
         }
-        panel.cones = cones::of_forces(self.run, &panel, &own, time)?;
+        panel.cones = cones::of_forces(self.run, panel.pose.centre(), &own, time)?;
         panel.side = self.side_view(&own)?;
         Ok(panel)
     }

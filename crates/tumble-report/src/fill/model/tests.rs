@@ -149,6 +149,29 @@ fn cones_of_friction_are_as_wide_as_the_coefficient_that_counts() {
     assert_eq!(widths("24-glancing", 0, 0), [0.1]);
 }
 
+/// What slides all along an impact is on the edge of the kinetic cone; where it takes the static coefficient to hold the end, the cone is that wide.
+#[test]
+fn cones_of_impacts_hold_their_impulses() {
+    let scene = |holds: f64| {
+        format!(
+            "version = 1\nworld.gravity = \"9.81 m/s^2\"\nrun.until = \"0.25 s\"\n[body.rod]\nmass = \"0.5 kg\"\n\
+             rod = {{ from = [\"-0.5 m\", 0], to = [\"0.5 m\", 0] }}\n\
+             start = {{ at = [0, \"0.45 m\"], angle = \"30 deg\" }}\n[surface.floor]\nthrough = [0, 0]\n\
+             rigid = {{ restitution = 0, friction = {{ static = {holds}, kinetic = 0.3 }} }}\n\
+             [free_body.impact]\nbody = \"rod\"\nat = \"floor.contact[1].start\"\n"
+        )
+    };
+    let cone = |holds: f64| {
+        let scene = scene(holds);
+        let (study, cases) = crate::scenes::motions_in("rod", scene.as_bytes(), &tumble_scene::NoFiles);
+        let sheet = free_bodies::sheet(&study, &cases[0], &study.free_bodies[0]).expect("a sheet");
+        let [cone] = &sheet.panels[0].cones[..] else { panic!("{:?}", sheet.panels[0].cones) };
+        (cone.coefficient, (cone.friction[0] / cone.normal[1] * 1e6).round() / 1e6)
+    };
+    assert_eq!(cone(0.9), (0.9, 0.742_307));
+    assert_eq!(cone(0.5), (0.3, 0.3));
+}
+
 #[test]
 fn a_pivot_with_a_torque_is_not_said_to_have_no_friction() {
     let said = |name: &str| {
